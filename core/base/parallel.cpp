@@ -1,0 +1,30 @@
+#include "core/base/parallel.h"
+
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace bspview {
+
+int thread_count(int threads) { return threads > 0 ? threads : tbb::info::default_concurrency(); }
+
+void with_threads(int threads, const std::function<void()>& work) {
+  tbb::task_arena arena(thread_count(threads));
+  arena.execute(work);
+}
+
+void parallel_for(int count, const std::function<void(int)>& body) {
+  tbb::parallel_for(
+      tbb::blocked_range<int>(0, count, 1),
+      [&](const tbb::blocked_range<int>& range) {
+        for (int i = range.begin(); i < range.end(); ++i) body(i);
+      },
+      tbb::simple_partitioner());
+}
+
+void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
+  tbb::parallel_invoke(first, second);
+}
+
+}  // namespace bspview

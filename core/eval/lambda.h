@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/render/render.h"
+
+namespace bspview {
+
+/// Median of repeated measurements, and their spread: half the distance of the quartiles.
+struct Measured {
+  double median = 0.0;
+  double spread = 0.0;
+  int repeats = 0;
+  bool operator==(const Measured&) const = default;
+};
+Measured summarise(std::vector<double> values);
+
+/// The triplet of Havran's paper. Seconds. nullopt: not measured (yet).
+struct Lambda {
+  std::optional<Measured> t_cb;        ///< T_CB: build of the tree
+  std::optional<Measured> t_tr;        ///< T_TR: rendering, shading included, without T_CB
+  std::optional<Measured> t_tt_share;  ///< T_TT / T_TR: walking the tree, without object tests
+};
+
+struct LambdaParams {
+  int build_repeats = 1;
+  int render_repeats = 1;
+  int replay_repeats = 5;
+};
+
+/// T_TR by rendering without counters; T_TT by replay. Every ray of the picture is recorded once
+/// with the number of leaves it visits. The recorded rays then walk the tree again, stopping after
+/// as many leaves, with the object tests left out: the same nodes in the same order. What reading
+/// the rays and the root box test cost is timed by a third run and taken off. Runs are interleaved;
+/// T_TT is set against T_TR of the same repeat.
+Result<Lambda> measure_lambda(const World& world, const Camera& camera,
+                              const RenderParams& params, const LambdaParams& repeats,
+                              std::stop_token stop = {});
+
+}  // namespace bspview

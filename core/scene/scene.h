@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/math/aabb.h"
+#include "core/scene/camera.h"
+#include "core/scene/light.h"
+#include "core/scene/material.h"
+#include "core/shape/cone.h"
+#include "core/shape/sphere.h"
+
+namespace bspview {
+
+enum class ObjectKind : std::uint8_t { triangle, polygon, sphere, cone };
+
+inline constexpr std::uint32_t no_index = 0xffffffffu;
+
+/// Planar polygon, three or more vertices, concave allowed. A polygonal patch has normals, too.
+struct Face {
+  std::uint32_t first_vertex = 0;          ///< index into Scene::vertices
+  std::uint32_t vertex_count = 0;
+  std::uint32_t first_normal = no_index;   ///< index into Scene::normals: one a vertex
+  bool operator==(const Face&) const = default;
+};
+
+/// One record of a scene file. Its index in Scene::objects is its id everywhere.
+struct Object {
+  ObjectKind kind = ObjectKind::triangle;
+  std::uint32_t shape = 0;     ///< index into faces (triangle, polygon), spheres or cones
+  std::uint32_t material = 0;  ///< index into materials
+  bool operator==(const Object&) const = default;
+};
+
+/// Everything a scene file says. Build it with the add_ functions, which keep the indices right.
+struct Scene {
+  std::string name;
+  Vec3 background{0.0f};
+  Camera camera;
+  std::vector<Light> lights;
+  std::vector<Material> materials;
+  std::vector<Object> objects;  ///< in file order
+  std::vector<Face> faces;
+  std::vector<Sphere> spheres;
+  std::vector<Cone> cones;
+  std::vector<Vec3> vertices;
+  std::vector<Vec3> normals;
+  /// Opaque objects are seen from behind even under the SPD's one-sided rules (teapot).
+  bool two_sided = false;
+
+  bool operator==(const Scene&) const = default;
+};
+
+/// Index of an equal material that is there already, else of a new one.
+std::uint32_t add_material(Scene& scene, const Material& material);
+
+/// Adds one object with material `material`; a face of three vertices becomes a triangle.
+/// `normals` is empty or holds one a vertex.
+void add_face(Scene& scene, std::uint32_t material, std::span<const Vec3> vertices,
+              std::span<const Vec3> normals = {});
+void add_sphere(Scene& scene, std::uint32_t material, const Sphere& sphere);
+void add_cone(Scene& scene, std::uint32_t material, const Cone& cone);
+
+/// How many objects of each kind; a patch is a triangle or polygon with normals and counts as patch.
+struct ObjectCounts {
+  std::size_t objects = 0, triangles = 0, polygons = 0, patches = 0, spheres = 0, cones = 0;
+  bool operator==(const ObjectCounts&) const = default;
+};
+ObjectCounts count_objects(const Scene& scene);
+
+/// Vertices of a face, in order.
+inline std::span<const Vec3> vertices_of(const Scene& scene, const Face& face) {
+  return std::span(scene.vertices).subspan(face.first_vertex, face.vertex_count);
+}
+
+/// Box of one object, rounded outwards: it holds every point of the object.
+Aabb object_bounds(const Scene& scene, std::uint32_t object);
+std::vector<Aabb> object_bounds(const Scene& scene);
+
+/// Union of all object boxes; empty for a scene without objects.
+Aabb scene_bounds(const Scene& scene);
+
+/// A point nothing can be traced against (NaN, infinite, no extent): the object is kept, since ids
+/// are record numbers, and is never hit.
+bool is_degenerate(const Scene& scene, std::uint32_t object);
+
+}  // namespace bspview
