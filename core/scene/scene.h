@@ -76,15 +76,20 @@ inline std::span<const Vec3> vertices_of(const Scene& scene, const Face& face) {
   return std::span(scene.vertices).subspan(face.first_vertex, face.vertex_count);
 }
 
-/// Box of one object, rounded outwards: it holds every point of the object.
+/// Largest magnitude of a coordinate or radius that is traced: squares and areas stay finite.
+inline constexpr float max_coordinate = 1e18f;
+
+/// Box of one object, rounded outwards: it holds every point of the object. Empty when a number of
+/// the object is NaN or leaves `max_coordinate`.
 Aabb object_bounds(const Scene& scene, std::uint32_t object);
 std::vector<Aabb> object_bounds(const Scene& scene);
 
 /// Union of all object boxes; empty for a scene without objects.
 Aabb scene_bounds(const Scene& scene);
 
-/// A point nothing can be traced against (NaN, infinite, no extent): the object is kept, since ids
-/// are record numbers, and is never hit.
+/// Nothing can be traced against such an object (a number that is NaN or beyond `max_coordinate`, no
+/// area, no length, radii of opposite signs): it is kept, since ids are record numbers, and is never
+/// hit.
 bool is_degenerate(const Scene& scene, std::uint32_t object);
 
 }  // namespace bspview

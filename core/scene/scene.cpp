@@ -1,0 +1,199 @@
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check.h"
+#include "core/math/float_error.h"
+
+namespace bspview {
+namespace {
+
+/// False for NaN, too.
+bool in_range(float x) {
+  return std::abs(x) <= max_coordinate;
+}
+
+bool in_range(Vec3 p) {
+  return in_range(p.x) && in_range(p.y) && in_range(p.z);
+}
+
+bool in_range(std::span<const Vec3> vertices) {
+  return std::ranges::all_of(vertices, [](Vec3 vertex) { return in_range(vertex); });
+}
+
+bool in_range(const Sphere& sphere) {
+  return in_range(sphere.centre) && in_range(sphere.radius);
+}
+
+bool in_range(const Cone& cone) {
+  return in_range(cone.base) && in_range(cone.base_radius) && in_range(cone.apex) &&
+         in_range(cone.apex_radius);
+}
+
+/// An object of the shape that was added last.
+void add_object(Scene& scene, ObjectKind kind, std::size_t shape_count, std::uint32_t material) {
+  BSPVIEW_CHECK(shape_count < no_index && scene.objects.size() < no_index);
+  scene.objects.push_back({kind, static_cast<std::uint32_t>(shape_count - 1), material});
+}
+
+void grow_outwards(Aabb& box, Vec3d lo, Vec3d hi) {
+  box.grow({round_down(lo.x), round_down(lo.y), round_down(lo.z)});
+  box.grow({round_up(hi.x), round_up(hi.y), round_up(hi.z)});
+}
+
+Aabb bounds(std::span<const Vec3> vertices) {
+  Aabb box;
+  if (!in_range(vertices)) return box;
+  for (const Vec3 vertex : vertices) box.grow(vertex);
+  return box;
+}
+
+Aabb bounds(const Sphere& sphere) {
+  Aabb box;
+  if (!in_range(sphere)) return box;
+  const Vec3d centre(sphere.centre);
+  const Vec3d radius(std::abs(static_cast<double>(sphere.radius)));
+  grow_outwards(box, centre - radius, centre + radius);
+  return box;
+}
+
+/// Box of the two end circles: a circle of radius r around the unit axis a reaches
+/// r sqrt(1 - a_i^2) along coordinate i. The convex hull of the circles holds the whole surface.
+Aabb bounds(const Cone& cone) {
+  Aabb box;
+  if (!in_range(cone)) return box;
+  const Vec3d base(cone.base), apex(cone.apex);
+  const Vec3d axis = apex - base;
+  const Vec3d square = axis * axis;
+  const double length_squared = square.x + square.y + square.z;
+  // The factor covers the rounding of the root, a few units of 2^-53, with room to spare.
+  const Vec3d reach =
+      length_squared > 0.0
+          ? glm::sqrt(Vec3d(square.y + square.z, square.z + square.x, square.x + square.y) /
+                      length_squared) *
+                (1.0 + 0x1p-48)
+          : Vec3d(1.0);
+  const Vec3d at_base = reach * std::abs(static_cast<double>(cone.base_radius));
+  const Vec3d at_apex = reach * std::abs(static_cast<double>(cone.apex_radius));
+  grow_outwards(box, base - at_base, base + at_base);
+  grow_outwards(box, apex - at_apex, apex + at_apex);
+  return box;
+}
+
+bool is_degenerate(std::span<const Vec3> vertices) {
+  if (vertices.size() < 3 || !in_range(vertices)) return true;
+  // Twice the area vector, from the first vertex: small errors far from the origin.
+  const Vec3d origin(vertices[0]);
+  Vec3d area(0.0);
+  for (std::size_t i = 2; i < vertices.size(); ++i)
+    area += glm::cross(Vec3d(vertices[i - 1]) - origin, Vec3d(vertices[i]) - origin);
+  return area == Vec3d(0.0);
+}
+
+bool is_degenerate(const Sphere& sphere) {
+  return !in_range(sphere) || sphere.radius == 0.0f;
+}
+
+bool is_degenerate(const Cone& cone) {
+  if (!in_range(cone)) return true;
+  const bool no_radius = cone.base_radius == 0.0f && cone.apex_radius == 0.0f;
+  const bool crossed = (cone.base_radius < 0.0f && cone.apex_radius > 0.0f) ||
+                       (cone.base_radius > 0.0f && cone.apex_radius < 0.0f);
+  return no_radius || crossed || cone.base == cone.apex;
+}
+
+}  // namespace
+
+std::uint32_t add_material(Scene& scene, const Material& material) {
+  // Backwards: an equal one was most likely added a moment ago.
+  for (std::size_t i = scene.materials.size(); i-- > 0;)
+    if (scene.materials[i] == material) return static_cast<std::uint32_t>(i);
+  scene.materials.push_back(material);
+  return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+void add_face(Scene& scene, std::uint32_t material, std::span<const Vec3> vertices,
+              std::span<const Vec3> normals) {
+  BSPVIEW_CHECK(vertices.size() >= 3 && (normals.empty() || normals.size() == vertices.size()));
+  BSPVIEW_CHECK(scene.vertices.size() + vertices.size() < no_index);
+  Face face;
+  face.first_vertex = static_cast<std::uint32_t>(scene.vertices.size());
+  face.vertex_count = static_cast<std::uint32_t>(vertices.size());
+  if (!normals.empty()) face.first_normal = static_cast<std::uint32_t>(scene.normals.size());
+  scene.vertices.insert(scene.vertices.end(), vertices.begin(), vertices.end());
+  scene.normals.insert(scene.normals.end(), normals.begin(), normals.end());
+  scene.faces.push_back(face);
+  const auto kind = vertices.size() == 3 ? ObjectKind::triangle : ObjectKind::polygon;
+  add_object(scene, kind, scene.faces.size(), material);
+}
+
+void add_sphere(Scene& scene, std::uint32_t material, const Sphere& sphere) {
+  scene.spheres.push_back(sphere);
+  add_object(scene, ObjectKind::sphere, scene.spheres.size(), material);
+}
+
+void add_cone(Scene& scene, std::uint32_t material, const Cone& cone) {
+  scene.cones.push_back(cone);
+  add_object(scene, ObjectKind::cone, scene.cones.size(), material);
+}
+
+ObjectCounts count_objects(const Scene& scene) {
+  ObjectCounts counts;
+  counts.objects = scene.objects.size();
+  counts.spheres = scene.spheres.size();
+  counts.cones = scene.cones.size();
+  for (const Face& face : scene.faces) {
+    if (face.first_normal != no_index) {
+      ++counts.patches;
+    } else if (face.vertex_count == 3) {
+      ++counts.triangles;
+    } else {
+      ++counts.polygons;
+    }
+  }
+  return counts;
+}
+
+Aabb object_bounds(const Scene& scene, std::uint32_t object) {
+  const auto [kind, shape, material] = scene.objects[object];
+  switch (kind) {
+    case ObjectKind::triangle:
+    case ObjectKind::polygon:
+      return bounds(vertices_of(scene, scene.faces[shape]));
+    case ObjectKind::sphere:
+      return bounds(scene.spheres[shape]);
+    case ObjectKind::cone:
+      return bounds(scene.cones[shape]);
+  }
+  return {};
+}
+
+std::vector<Aabb> object_bounds(const Scene& scene) {
+  std::vector<Aabb> boxes;
+  boxes.reserve(scene.objects.size());
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i) boxes.push_back(object_bounds(scene, i));
+  return boxes;
+}
+
+Aabb scene_bounds(const Scene& scene) {
+  Aabb box;
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i) box.grow(object_bounds(scene, i));
+  return box;
+}
+
+bool is_degenerate(const Scene& scene, std::uint32_t object) {
+  const auto [kind, shape, material] = scene.objects[object];
+  switch (kind) {
+    case ObjectKind::triangle:
+    case ObjectKind::polygon:
+      return is_degenerate(vertices_of(scene, scene.faces[shape]));
+    case ObjectKind::sphere:
+      return is_degenerate(scene.spheres[shape]);
+    case ObjectKind::cone:
+      return is_degenerate(scene.cones[shape]);
+  }
+  return true;
+}
+
+}  // namespace bspview
