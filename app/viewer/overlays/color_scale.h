@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/render/color_map.h"
+
+namespace bspview {
+
+/// RGBA of a Line: red in the lowest byte, not premultiplied; components in [0, 1], clamped.
+[[nodiscard]] std::uint32_t pack_color(Vec3 color, float alpha = 1.0f);
+
+/// How a value becomes a colour; compares by value.
+struct ColorScale {
+  enum class Spacing { linear, logarithmic };  ///< logarithmic: in log(1 + value - lo)
+
+  ColorMap map = ColorMap::viridis;
+  float lo = 0.0f, hi = 1.0f;  ///< values of the two ends
+  Spacing spacing = Spacing::linear;
+
+  bool operator==(const ColorScale&) const = default;
+};
+
+/// Position of a value on the scale, clamped to [0, 1]; 0 when the range is empty.
+[[nodiscard]] float position_on(const ColorScale& scale, float value);
+
+/// Colour at a position in [0, 1]. The darkest fifth of the map is left out: such lines could not
+/// be told from a dark picture.
+[[nodiscard]] Vec3 color_at(const ColorScale& scale, float position);
+
+}  // namespace bspview

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/bsp/tree.h"
+
+namespace bspview {
+
+/// Finds a node's cell from its index in O(depth), after O(nodes) once. The tree must outlive it.
+class NodeCells {
+ public:
+  explicit NodeCells(const Tree& tree);
+
+  [[nodiscard]] Aabb cell(std::uint32_t node) const;
+  [[nodiscard]] int depth(std::uint32_t node) const;
+  /// Node indices from the root to `node`, both included.
+  [[nodiscard]] std::vector<std::uint32_t> path(std::uint32_t node) const;
+
+ private:
+  const Tree& tree_;
+  std::vector<std::uint32_t> parents_;
+};
+
+}  // namespace bspview
