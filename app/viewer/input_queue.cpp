@@ -1,0 +1,96 @@
+#include "app/viewer/input_queue.h"
+
+#include "app/viewer/key.h"
+
+namespace bspview {
+namespace {
+
+/// What this frame has changed so far.
+struct Changes {
+  std::set<int> keys, buttons;
+
+  bool allow(const InputEvent& event) const {
+    switch (event.kind) {
+      case InputEvent::Kind::key:
+        return !keys.contains(event.code);
+      case InputEvent::Kind::button:
+        return !buttons.contains(event.code);
+      case InputEvent::Kind::move:
+        return buttons.empty();
+      default:
+        return true;
+    }
+  }
+};
+
+bool known(const InputEvent& event) {
+  if (event.kind == InputEvent::Kind::key) return event.code >= 0 && event.code < key::count;
+  if (event.kind == InputEvent::Kind::button) return event.code >= 0 && event.code < 5;
+  return true;
+}
+
+void apply(const InputEvent& event, ImGuiIO& io, Changes& changes) {
+  switch (event.kind) {
+    case InputEvent::Kind::key:
+      io.KeysDown[event.code] = event.down;
+      changes.keys.insert(event.code);
+      break;
+    case InputEvent::Kind::button:
+      io.MouseDown[event.code] = event.down;
+      changes.buttons.insert(event.code);
+      break;
+    case InputEvent::Kind::text:
+      io.AddInputCharacter(static_cast<unsigned>(event.code));
+      break;
+    case InputEvent::Kind::move:
+      io.MousePos = {event.amount.x, event.amount.y};
+      break;
+    case InputEvent::Kind::wheel:
+      io.MouseWheelH += event.amount.x;
+      io.MouseWheel += event.amount.y;
+      break;
+  }
+}
+
+}  // namespace
+
+void InputQueue::feed(ImGuiIO& io) {
+  Changes changes;
+  while (!events_.empty() && changes.allow(events_.front())) {
+    if (known(events_.front())) apply(events_.front(), io, changes);
+    events_.pop_front();
+  }
+  io.KeyCtrl = io.KeysDown[key::left_control] || io.KeysDown[key::right_control];
+  io.KeyShift = io.KeysDown[key::left_shift] || io.KeysDown[key::right_shift];
+  io.KeyAlt = io.KeysDown[key::left_alt] || io.KeysDown[key::right_alt];
+  io.KeySuper = io.KeysDown[key::left_super] || io.KeysDown[key::right_super];
+}
+
+void map_keys(ImGuiIO& io) {
+  const auto map = [&io](ImGuiKey key, int code) { io.KeyMap[key] = code; };
+  map(ImGuiKey_Tab, key::tab);
+  map(ImGuiKey_LeftArrow, key::left);
+  map(ImGuiKey_RightArrow, key::right);
+  map(ImGuiKey_UpArrow, key::up);
+  map(ImGuiKey_DownArrow, key::down);
+  map(ImGuiKey_PageUp, key::page_up);
+  map(ImGuiKey_PageDown, key::page_down);
+  map(ImGuiKey_Home, key::home);
+  map(ImGuiKey_End, key::end);
+  map(ImGuiKey_Insert, key::insert);
+  map(ImGuiKey_Delete, key::del);
+  map(ImGuiKey_Backspace, key::backspace);
+  map(ImGuiKey_Space, ' ');
+  map(ImGuiKey_Enter, key::enter);
+  map(ImGuiKey_KeyPadEnter, key::keypad_enter);
+  map(ImGuiKey_Escape, key::escape);
+  for (const auto& [name, letter] : {std::pair{ImGuiKey_A, 'A'},
+                                     {ImGuiKey_C, 'C'},
+                                     {ImGuiKey_V, 'V'},
+                                     {ImGuiKey_X, 'X'},
+                                     {ImGuiKey_Y, 'Y'},
+                                     {ImGuiKey_Z, 'Z'}})
+    map(name, letter);
+}
+
+}  // namespace bspview
