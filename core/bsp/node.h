@@ -39,4 +39,7 @@ class Node {
 };
 static_assert(sizeof(Node) == 8);
 
+/// Index of the leaf that is not there.
+inline constexpr std::uint32_t no_leaf = 0xffffffffu;
+
 }  // namespace bspview

@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/math/aabb.h"
-
 namespace bspview {
 
 /// How a traversal went on from a node.
@@ -16,7 +14,7 @@ struct RayStep {
   StepKind kind = StepKind::leaf;
   int axis = -1;         ///< inner nodes: 0..2
   float split = 0.0f;    ///< inner nodes: position of the plane
-  float t_split = 0.0f;  ///< inner nodes: where the ray meets the plane (NaN: never)
+  float t_split = 0.0f;  ///< inner nodes: where the ray meets the plane (NaN, inf: never)
   float t_enter = 0.0f;  ///< the ray's interval in the node's cell
   float t_exit = 0.0f;
   std::uint32_t first_test = 0;  ///< leaves: index into RayLog::tests
@@ -26,8 +24,8 @@ struct RayStep {
 /// One object tested against the ray.
 struct ObjectTest {
   std::uint32_t object = 0;
-  bool hit = false;   ///< closer than everything before
-  float t = 0.0f;     ///< of the hit
+  bool hit = false;  ///< closer than everything before
+  double t = 0.0;    ///< of the hit
 };
 
 /// Everything one ray did in the tree, in order.

@@ -28,7 +28,6 @@ void visit_nodes(const Tree& tree, const NodeVisitor& visit);
 
 /// The leaf whose cell holds `point`; a point on a plane belongs to the left cell.
 /// no_leaf when the point is outside the tree's box.
-inline constexpr std::uint32_t no_leaf = 0xffffffffu;
 std::uint32_t find_leaf(const Tree& tree, Vec3 point);
 
 }  // namespace bspview

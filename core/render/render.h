@@ -8,9 +8,8 @@
 #include "core/base/result.h"
 #include "core/bsp/ray_log.h"
 #include "core/bsp/traversal.h"
-#include "core/bsp/tree.h"
 #include "core/render/ray_counts.h"
-#include "core/scene/scene.h"
+#include "core/render/world.h"
 
 namespace bspview {
 
@@ -21,15 +20,9 @@ struct RenderParams {
   int max_ray_depth = 5;          ///< levels of rays, the eye ray being level 1
   bool spd_rules = false;         ///< corner rays, one-sided objects, every secondary ray is shot
   Traversal traversal = Traversal::robust;
-  int threads = 0;                ///< 0: every core; never changes the picture
+  int threads = 0;  ///< 0: every core; never changes the picture
 
   bool operator==(const RenderParams&) const = default;
-};
-
-/// What rays are traced against. Both outlive every call.
-struct World {
-  const Scene& scene;
-  const Tree& tree;
 };
 
 /// Row-major picture, top row first.
@@ -53,20 +46,20 @@ Result<CountedImage> render_counted(const World& world, const Camera& camera,
                                     const RenderParams& params, std::stop_token stop = {});
 
 /// The same picture by brute force in double precision, without a tree.
-Result<Image> render_reference(const Scene& scene, const Camera& camera,
-                               const RenderParams& params, std::stop_token stop = {});
+Result<Image> render_reference(const Scene& scene, const Camera& camera, const RenderParams& params,
+                               std::stop_token stop = {});
 
 /// State of a progressive picture. Buffers have width x height entries, row-major, top row first.
 struct Frame {
   int width = 0, height = 0;
-  std::vector<Vec3> color;              ///< mean of the samples so far
-  std::vector<float> distance;          ///< t of the first hit of the pixel-centre ray; inf: none
-  std::vector<std::uint32_t> object;    ///< its object; no_index: none
-  std::vector<std::uint32_t> leaf;      ///< node index of the leaf where it was found; no_leaf: none
-  int pass = 0, pass_count = 0;         ///< done and planned; pass == pass_count: converged
-  double seconds = 0.0;                 ///< since the start of the picture
-  RayCounts counts;                     ///< of the first pass with one sample in every pixel
-  bool counted = false;                 ///< that pass is done: counts are those of one ray a pixel
+  std::vector<Vec3> color;            ///< mean of the samples so far
+  std::vector<float> distance;        ///< t of the first hit of the pixel-centre ray; inf: none
+  std::vector<std::uint32_t> object;  ///< its object; no_index: none
+  std::vector<std::uint32_t> leaf;    ///< node index of the leaf where it was found; no_leaf: none
+  int pass = 0, pass_count = 0;       ///< done and planned; pass == pass_count: converged
+  double seconds = 0.0;               ///< since the start of the picture
+  RayCounts counts;                   ///< of the first pass with one sample in every pixel
+  bool counted = false;               ///< that pass is done: counts are those of one ray a pixel
 };
 
 /// Passes with a ray in every 8th, 4th, 2nd and every pixel in both directions, then one more
@@ -78,11 +71,11 @@ void render_progressive(const World& world, const Camera& camera, const RenderPa
 /// One ray of the tree of rays behind a pixel.
 struct PathRay {
   RayKind kind = RayKind::primary;
-  int level = 1;                      ///< 1: eye ray
-  int parent = -1;                    ///< index of the ray whose hit sent it; -1: none
+  int level = 1;    ///< 1: eye ray
+  int parent = -1;  ///< index of the ray whose hit sent it; -1: none
   Ray ray;
-  std::uint32_t object = no_index;    ///< what it hit (shadow: what blocked it)
-  float t = 0.0f;                     ///< of the hit
+  std::uint32_t object = no_index;  ///< what it hit (shadow: what blocked it)
+  double t = 0.0;                   ///< of the hit
   RayLog log;
 };
 

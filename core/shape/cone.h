@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/math/vec.h"
+#include "core/math/aabb.h"
+#include "core/shape/ray_query.h"
 
 namespace bspview {
 
@@ -13,5 +14,18 @@ struct Cone {
   float apex_radius = 0.0f;
   bool operator==(const Cone&) const = default;
 };
+
+/// In double, solved around the ray's closest point to the middle of the axis.
+ShapeHit hit_cone(const RayQuery& ray, const Cone& cone, Sides sides);
+
+/// Rounded outwards.
+Aabb cone_bounds(const Cone& cone);
+
+/// Box of the part inside `cell` (of whole circles: it may be a little too big); empty when no
+/// circle of the cone reaches the cell.
+Aabb clip_cone(const Cone& cone, const Aabb& cell);
+
+/// Unit normal at `point` on the surface, away from the axis.
+Vec3d cone_normal(const Cone& cone, Vec3d point);
 
 }  // namespace bspview

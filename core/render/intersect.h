@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/bsp/traverse.h"
+#include "core/render/world.h"
+#include "core/shape/cone.h"
+#include "core/shape/polygon.h"
+#include "core/shape/sphere.h"
+#include "core/shape/triangle.h"
+
+namespace bspview {
+
+/// Nearest hit of a ray; ties go to the lower object id.
+struct Hit {
+  double t = no_hit;
+  std::uint32_t object = no_index;
+  float u = 0.0f, v = 0.0f;      ///< triangles: weights of the second and third vertex
+  std::uint32_t leaf = no_leaf;  ///< node index of the leaf that holds the hit point
+
+  explicit operator bool() const { return object != no_index; }
+};
+
+/// One-sided: opaque objects are seen from their front only (REFERENCE: rules of the SPD).
+enum class SideRule { two_sided, opaque_one_sided };
+
+inline Sides visible_sides(const Scene& scene, const Object& object, SideRule rule) {
+  if (rule == SideRule::two_sided || scene.two_sided) return Sides::both;
+  return scene.materials[object.material].transmittance > 0.0f ? Sides::both : Sides::front;
+}
+
+/// Tests one object: the single place where a kind of object is told from another.
+inline ShapeHit hit_object(const Scene& scene, std::uint32_t id, const RayQuery& ray,
+                           SideRule rule) {
+  const Object& object = scene.objects[id];
+  const Sides sides = visible_sides(scene, object, rule);
+  switch (object.kind) {
+    case ObjectKind::triangle:
+      return hit_triangle(ray, &scene.vertices[scene.faces[object.shape].first_vertex], sides);
+    case ObjectKind::polygon:
+      return hit_polygon(ray, vertices_of(scene, scene.faces[object.shape]), sides);
+    case ObjectKind::sphere:
+      return hit_sphere(ray, scene.spheres[object.shape], sides);
+    case ObjectKind::cone:
+      break;
+  }
+  return hit_cone(ray, scene.cones[object.shape], sides);
+}
+
+/// How rays are traced: the walk and the side rule.
+struct TraceRules {
+  Traversal traversal = Traversal::robust;
+  SideRule sides = SideRule::two_sided;
+  bool operator==(const TraceRules&) const = default;
+};
+
+/// Nearest hit of `ray` in its interval.
+template <class Observer>
+Hit closest_hit(const World& world, const Ray& ray, const TraceRules& rules, Observer& observer) {
+  const RayQuery query(ray);
+  Hit best;
+  const auto leaf = [&](std::uint32_t, const Node& node) {
+    for (const std::uint32_t id : world.tree.objects_of(node)) {
+      const ShapeHit hit = hit_object(world.scene, id, query, rules.sides);
+      const bool better = hit.t < best.t || (hit.t == best.t && id < best.object);
+      if (better && hit.t != no_hit) best = {hit.t, id, hit.u, hit.v, no_leaf};
+      observer.test(id, better && hit.t != no_hit, hit.t);
+    }
+    return best.t;
+  };
+  const std::uint32_t last = traverse(rules.traversal, world.tree, ray, leaf, observer);
+  if (best) best.leaf = last;
+  return best;
+}
+
+/// Some object that `ray` hits in its interval, the first that the walk meets; no_index: none.
+template <class Observer>
+std::uint32_t any_hit(const World& world, const Ray& ray, const TraceRules& rules,
+                      Observer& observer) {
+  const RayQuery query(ray);
+  std::uint32_t blocker = no_index;
+  const auto leaf = [&](std::uint32_t, const Node& node) {
+    for (const std::uint32_t id : world.tree.objects_of(node)) {
+      const ShapeHit hit = hit_object(world.scene, id, query, rules.sides);
+      observer.test(id, hit.t != no_hit, hit.t);
+      if (hit.t == no_hit) continue;
+      blocker = id;
+      return stop_walk;
+    }
+    return no_hit;
+  };
+  traverse(rules.traversal, world.tree, ray, leaf, observer);
+  return blocker;
+}
+
+}  // namespace bspview

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <array>
+
+#include "core/base/timer.h"
+#include "core/render/pixel_grid.h"
+
+namespace bspview {
+namespace {
+
+/// Distance of the pixels traced in the first passes, in both directions.
+constexpr std::array<int, 4> strides{8, 4, 2, 1};
+
+/// A progressive picture at work.
+class Progress {
+ public:
+  Progress(const World& world, const Camera& camera, const RenderParams& params,
+           std::stop_token stop)
+      : world_(world), params_(params), stop_(stop), eye_(camera, params.width, params.height) {
+    const std::size_t pixels = static_cast<std::size_t>(params.width) * params.height;
+    frame_.width = params.width;
+    frame_.height = params.height;
+    frame_.color.assign(pixels, world.scene.background);
+    frame_.distance.assign(pixels, std::numeric_limits<float>::infinity());
+    frame_.object.assign(pixels, no_index);
+    frame_.leaf.assign(pixels, no_leaf);
+    frame_.pass_count = static_cast<int>(strides.size()) + std::max(1, params.samples) - 1;
+    sums_.resize(pixels);
+  }
+
+  /// Pass number frame().pass; false when it was stopped.
+  bool run_pass() {
+    const int coarse = static_cast<int>(strides.size());
+    if (frame_.pass < coarse) {
+      trace_stride(frame_.pass);
+    } else {
+      add_sample(frame_.pass - coarse + 1);
+    }
+    if (stop_.stop_requested()) return false;
+    ++frame_.pass;
+    frame_.counted = frame_.pass >= coarse;
+    frame_.seconds = timer_.seconds();
+    return true;
+  }
+  const Frame& frame() const { return frame_; }
+
+ private:
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * params_.width + x; }
+
+  /// One centre ray in every stride-th pixel that has none yet; it colours its whole block.
+  void trace_stride(int pass) {
+    const int stride = strides[static_cast<std::size_t>(pass)];
+    const int done_stride = pass == 0 ? 0 : strides[static_cast<std::size_t>(pass) - 1];
+    std::vector<RayCounts> counts(
+        static_cast<std::size_t>(tile_count(params_.width, params_.height)));
+    for_each_tile(params_.width, params_.height, stop_, [&](const Tile& tile, int number) {
+      CountTracer tracer(world_, trace_rules(params_));
+      Shader shader(world_.scene, params_, tracer);
+      for (int y = tile.y0; y < tile.y1; y += stride) {
+        for (int x = tile.x0; x < tile.x1; x += stride) {
+          const bool done = done_stride > 0 && x % done_stride == 0 && y % done_stride == 0;
+          if (!done) trace_centre(shader, x, y);
+          spread(tile, x, y, stride);
+        }
+      }
+      counts[static_cast<std::size_t>(number)] = tracer.counts();
+    });
+    for (const RayCounts& tile : counts) frame_.counts += tile;
+  }
+
+  void trace_centre(Shader<CountTracer>& shader, int x, int y) {
+    const Vec2 offset = sample_offset(0);
+    Hit hit;
+    const std::size_t i = index(x, y);
+    sums_[i] = shader.eye_color(
+        eye_.ray(static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y), hit);
+    frame_.color[i] = sums_[i];
+    frame_.distance[i] = static_cast<float>(hit.t);
+    frame_.object[i] = hit.object;
+    frame_.leaf[i] = hit.leaf;
+  }
+
+  /// Copies pixel (x, y) over its block.
+  void spread(const Tile& tile, int x, int y, int stride) {
+    const std::size_t from = index(x, y);
+    for (int v = y; v < std::min(y + stride, tile.y1); ++v) {
+      for (int u = x; u < std::min(x + stride, tile.x1); ++u) {
+        const std::size_t to = index(u, v);
+        frame_.color[to] = frame_.color[from];
+        frame_.distance[to] = frame_.distance[from];
+        frame_.object[to] = frame_.object[from];
+        frame_.leaf[to] = frame_.leaf[from];
+      }
+    }
+  }
+
+  void add_sample(int sample) {
+    const Vec2 offset = sample_offset(sample);
+    for_each_tile(params_.width, params_.height, stop_, [&](const Tile& tile, int) {
+      PlainTracer tracer(world_, trace_rules(params_));
+      Shader shader(world_.scene, params_, tracer);
+      Hit hit;
+      for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+          const std::size_t i = index(x, y);
+          sums_[i] += shader.eye_color(
+              eye_.ray(static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y), hit);
+          frame_.color[i] = sums_[i] / static_cast<float>(sample + 1);
+        }
+      }
+    });
+  }
+
+  World world_;
+  RenderParams params_;
+  std::stop_token stop_;
+  PrimaryRays eye_;
+  Frame frame_;
+  std::vector<Vec3> sums_;  // of the samples of each pixel
+  Timer timer_;
+};
+
+}  // namespace
+
+void render_progressive(const World& world, const Camera& camera, const RenderParams& params,
+                        std::stop_token stop, const std::function<void(const Frame&)>& publish) {
+  if (params.width <= 0 || params.height <= 0) return;
+  with_threads(params.threads, [&] {
+    Progress progress(world, camera, params, stop);
+    while (progress.frame().pass < progress.frame().pass_count) {
+      if (!progress.run_pass()) return;
+      publish(progress.frame());
+    }
+  });
+}
+
+}  // namespace bspview

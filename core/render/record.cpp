@@ -1,0 +1,46 @@
+#include "core/render/record.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+
+namespace bspview {
+namespace {
+
+constexpr std::size_t rays_a_chunk = 4096;
+
+std::uint64_t walk(const Tree& tree, Traversal traversal, const RecordedRay& recorded) {
+  std::uint32_t left = recorded.leaves;
+  const auto leaf = [&](std::uint32_t, const Node&) { return --left == 0 ? stop_walk : no_hit; };
+  NoObserver none;
+  return traverse(traversal, tree, recorded.ray, leaf, none);
+}
+
+std::uint64_t enter(const Tree& tree, const RecordedRay& recorded) {
+  const RayInterval interval = root_interval(tree, RayWalk(recorded.ray));
+  return interval.enter <= interval.exit;
+}
+
+}  // namespace
+
+std::uint64_t replay(const World& world, const RenderParams& params,
+                     std::span<const RecordedRay> rays, Replay what) {
+  const std::size_t chunks = (rays.size() + rays_a_chunk - 1) / rays_a_chunk;
+  std::vector<std::uint64_t> sums(chunks);
+  const auto replay_chunk = [&](int chunk) {
+    const std::size_t first = static_cast<std::size_t>(chunk) * rays_a_chunk;
+    const auto part = rays.subspan(first, std::min(rays_a_chunk, rays.size() - first));
+    std::uint64_t sum = 0;
+    for (const RecordedRay& ray : part) {
+      sum +=
+          what == Replay::walk ? walk(world.tree, params.traversal, ray) : enter(world.tree, ray);
+    }
+    sums[static_cast<std::size_t>(chunk)] = sum;
+  };
+  with_threads(params.threads, [&] { parallel_for(static_cast<int>(chunks), replay_chunk); });
+  std::uint64_t sum = 0;
+  for (const std::uint64_t part : sums) sum += part;
+  return sum;
+}
+
+}  // namespace bspview

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/render/tracer.h"
+
+namespace bspview {
+
+/// Every ray of the picture that render_image would make, tile after tile, in the order traced.
+Result<std::vector<RecordedRay>> record_rays(const World& world, const Camera& camera,
+                                             const RenderParams& params, std::stop_token stop = {});
+
+/// What a replay does with each recorded ray.
+enum class Replay {
+  walk,   ///< walks the tree without object tests, over the nodes that the ray visited
+  enter,  ///< reads the ray and finds its interval in the root box, no more
+};
+
+/// Replays the rays on the threads of `params`; the result (nodes visited last, added up) keeps the
+/// work from being left out.
+std::uint64_t replay(const World& world, const RenderParams& params,
+                     std::span<const RecordedRay> rays, Replay what);
+
+}  // namespace bspview

@@ -1,0 +1,42 @@
+#include "core/render/scene_tree.h"
+
+#include "core/shape/cone.h"
+#include "core/shape/polygon.h"
+#include "core/shape/sphere.h"
+
+namespace bspview {
+namespace {
+
+Aabb clip_object(const Scene& scene, std::uint32_t id, const Aabb& cell) {
+  const Object& object = scene.objects[id];
+  switch (object.kind) {
+    case ObjectKind::sphere:
+      return clip_sphere(scene.spheres[object.shape], cell);
+    case ObjectKind::cone:
+      return clip_cone(scene.cones[object.shape], cell);
+    case ObjectKind::triangle:
+    case ObjectKind::polygon:
+      break;
+  }
+  return clip_polygon(vertices_of(scene, scene.faces[object.shape]), cell);
+}
+
+}  // namespace
+
+SceneBuildInput::SceneBuildInput(const Scene& scene) : scene_(scene), boxes_(object_bounds(scene)) {
+  for (std::uint32_t id = 0; id < boxes_.size(); ++id) {
+    if (is_degenerate(scene, id)) boxes_[id] = Aabb{};
+  }
+}
+
+BuildInput SceneBuildInput::input() const {
+  return {boxes_, [&scene = scene_](std::uint32_t id, const Aabb& cell) {
+            return clip_object(scene, id, cell);
+          }};
+}
+
+Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, std::stop_token stop) {
+  return build_tree(SceneBuildInput(scene).input(), params, stop);
+}
+
+}  // namespace bspview

@@ -1,0 +1,126 @@
+#pragma once
+
+// After Whitted 1980, "An improved illumination model for shaded display", with Phong highlights
+// and the rules of the Standard Procedural Databases.
+
+#include <cmath>
+
+#include "core/render/render.h"
+#include "core/render/surface.h"
+
+namespace bspview {
+
+/// Colour along rays, recursively. Tracer: see tracer.h.
+template <class Tracer>
+class Shader {
+ public:
+  Shader(const Scene& scene, const RenderParams& params, Tracer& tracer)
+      : scene_(scene),
+        tracer_(tracer),
+        max_level_(params.max_ray_depth),
+        every_ray_(params.spd_rules),
+        intensity_(0.5f /
+                   std::sqrt(std::max<float>(1.0f, static_cast<float>(scene.lights.size())))) {}
+
+  /// Colour seen along an eye ray; what it hit goes to `hit`.
+  Vec3 eye_color(const Ray& ray, Hit& hit) {
+    hit = tracer_.closest(ray, RayKind::primary, 1);
+    return hit ? shade(ray, hit, 1) : scene_.background;
+  }
+
+ private:
+  Vec3 color_along(const Ray& ray, RayKind kind, int level) {
+    const Hit hit = tracer_.closest(ray, kind, level);
+    return hit ? shade(ray, hit, level) : scene_.background;
+  }
+
+  Vec3 shade(const Ray& ray, const Hit& hit, int level) {
+    const Surface surface = surface_at(scene_, ray, hit);
+    const Vec3d view = glm::normalize(Vec3d(ray.direction));
+    Vec3 color = local_color(surface, view, level);
+    if (level < max_level_) color += secondary_color(surface, view, level);
+    return color;
+  }
+
+  /// Ambient, diffuse and highlight.
+  Vec3 local_color(const Surface& surface, Vec3d view, int level) {
+    const Material& material = *surface.material;
+    const Vec3 diffuse = material.diffuse * material.color;
+    Vec3 color = intensity_ * diffuse;
+    if (material.diffuse <= 0.0f && material.specular <= 0.0f) return color;
+    const Vec3d mirrored = glm::reflect(view, surface.shading_normal);
+    for (const Light& light : scene_.lights) {
+      const Vec3d to_light = Vec3d(light.position) - surface.point;
+      const Vec3d way = glm::normalize(to_light);
+      const double cosine = glm::dot(surface.shading_normal, way);
+      if (!(cosine > 0.0) || glm::dot(surface.normal, way) <= 0.0) continue;
+      if (in_shadow(surface, light, level)) continue;
+      const double highlight = std::max(0.0, glm::dot(mirrored, way));
+      const float gloss =
+          material.specular > 0.0f
+              ? material.specular * static_cast<float>(std::pow(highlight, material.shine))
+              : 0.0f;
+      color += intensity_ * light.color * (static_cast<float>(cosine) * diffuse + Vec3(gloss));
+    }
+    return color;
+  }
+
+  bool in_shadow(const Surface& surface, const Light& light, int level) {
+    const Vec3 origin = leaving_origin(surface, Vec3d(light.position) - surface.point);
+    // Up to just before the light: a light that lies in a surface is not hidden by it.
+    return tracer_.occluded({origin, light.position - origin, 0.0f, 1.0f - 0x1p-20f}, level);
+  }
+
+  /// Reflection and refraction; a ray is sent only where its colour counts, or, under the SPD's
+  /// rules, wherever they ask for one.
+  Vec3 secondary_color(const Surface& surface, Vec3d view, int level) {
+    const Material& material = *surface.material;
+    const bool transparent = material.transmittance > 0.0f;
+    if (!(material.specular > 0.0f) && !transparent) return Vec3(0.0f);
+    Vec3 color(0.0f);
+    float reflectance = material.specular;
+    if (transparent) {
+      if (const auto direction = refracted(surface, view)) {
+        color += material.transmittance *
+                 color_along(leaving_ray(surface, *direction), RayKind::refracted, level + 1);
+      } else {
+        reflectance += material.transmittance;  // total internal reflection
+      }
+    }
+    if (reflectance > 0.0f || every_ray_) {
+      const Vec3d direction = reflected(surface, view);
+      color +=
+          reflectance * color_along(leaving_ray(surface, direction), RayKind::reflected, level + 1);
+    }
+    return color;
+  }
+
+  static Ray leaving_ray(const Surface& surface, Vec3d direction) {
+    return {leaving_origin(surface, direction), Vec3(direction)};
+  }
+
+  /// About the shading normal, unless that would lead below the surface.
+  static Vec3d reflected(const Surface& surface, Vec3d view) {
+    const Vec3d smooth = glm::reflect(view, surface.shading_normal);
+    if (glm::dot(smooth, surface.normal) > 0.0) return smooth;
+    return glm::reflect(view, surface.normal);
+  }
+
+  /// Snell's law; nullopt at total internal reflection.
+  static std::optional<Vec3d> refracted(const Surface& surface, Vec3d view) {
+    const double index = surface.material->refraction_index;
+    const double eta = surface.from_behind ? index : 1.0 / index;
+    const double cosine = -glm::dot(view, surface.normal);
+    const double k = 1.0 - eta * eta * (1.0 - cosine * cosine);
+    if (!(index > 0.0) || !(k >= 0.0)) return std::nullopt;
+    return eta * view + (eta * cosine - std::sqrt(k)) * surface.normal;
+  }
+
+  const Scene& scene_;
+  Tracer& tracer_;
+  int max_level_;
+  bool every_ray_;
+  float intensity_;  // of each light and of the ambient light
+};
+
+}  // namespace bspview

@@ -1,0 +1,91 @@
+#include "core/render/surface.h"
+
+#include <array>
+#include <vector>
+
+#include "core/math/float_error.h"
+
+namespace bspview {
+namespace {
+
+/// Unit normal of the object's front, as its record says.
+Vec3d front_normal(const Scene& scene, const Object& object, Vec3d point) {
+  switch (object.kind) {
+    case ObjectKind::sphere: {
+      const Sphere& sphere = scene.spheres[object.shape];
+      const Vec3d outward = glm::normalize(point - Vec3d(sphere.centre));
+      return sphere.radius < 0.0f ? -outward : outward;
+    }
+    case ObjectKind::cone: {
+      const Cone& cone = scene.cones[object.shape];
+      const Vec3d outward = cone_normal(cone, point);
+      return cone.base_radius < 0.0f || cone.apex_radius < 0.0f ? -outward : outward;
+    }
+    case ObjectKind::triangle:
+    case ObjectKind::polygon:
+      break;
+  }
+  return glm::normalize(polygon_plane(vertices_of(scene, scene.faces[object.shape])).normal);
+}
+
+/// The normals of a patch at the hit, interpolated.
+Vec3d patch_normal(const Scene& scene, const Face& face, const Hit& hit, Vec3d point) {
+  const auto normals = std::span(scene.normals).subspan(face.first_normal, face.vertex_count);
+  std::array<float, 3> triangle_weights{1.0f - hit.u - hit.v, hit.u, hit.v};
+  std::vector<float> polygon_weights;
+  std::span<const float> weights = triangle_weights;
+  if (face.vertex_count != 3) {
+    polygon_weights.resize(face.vertex_count);
+    mean_value_coordinates(vertices_of(scene, face), Vec3(point), polygon_weights);
+    weights = polygon_weights;
+  }
+  Vec3d normal(0.0);
+  for (std::size_t i = 0; i < normals.size(); ++i) normal += Vec3d(weights[i] * normals[i]);
+  return normal;
+}
+
+}  // namespace
+
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
+  const Object& object = scene.objects[hit.object];
+  Surface surface;
+  const Vec3d way = hit.t * Vec3d(ray.direction);
+  surface.point = Vec3d(ray.origin) + way;
+  surface.normal = front_normal(scene, object, surface.point);
+  surface.from_behind = glm::dot(surface.normal, Vec3d(ray.direction)) > 0.0;
+  if (surface.from_behind) surface.normal = -surface.normal;
+  surface.material = &scene.materials[object.material];
+
+  // The point is computed in double: it is off by roundings of 2^-53, and by what the vertices of
+  // a face, rounded to float, are off their common plane.
+  surface.error = static_cast<double>(unit_roundoff) * glm::abs(surface.point) +
+                  0x1p-50 * (glm::abs(Vec3d(ray.origin)) + glm::abs(way));
+
+  surface.shading_normal = surface.normal;
+  const bool is_face = object.kind == ObjectKind::triangle || object.kind == ObjectKind::polygon;
+  if (is_face && scene.faces[object.shape].first_normal != no_index) {
+    const Vec3d smooth = patch_normal(scene, scene.faces[object.shape], hit, surface.point);
+    const double length = glm::length(smooth);
+    if (length > 0.0) {
+      const double sign = glm::dot(smooth, surface.normal) < 0.0 ? -1.0 : 1.0;
+      surface.shading_normal = (sign / length) * smooth;
+    }
+  }
+  return surface;
+}
+
+Vec3 leaving_origin(const Surface& surface, Vec3d direction) {
+  const double reach = glm::dot(glm::abs(surface.normal), surface.error);
+  const double side = glm::dot(direction, surface.normal) < 0.0 ? -1.0 : 1.0;
+  const Vec3d offset = (side * reach) * surface.normal;
+  const Vec3d moved = surface.point + offset;
+  Vec3 origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    origin[axis] = offset[axis] > 0.0   ? next_up(round_up(moved[axis]))
+                   : offset[axis] < 0.0 ? next_down(round_down(moved[axis]))
+                                        : static_cast<float>(moved[axis]);
+  }
+  return origin;
+}
+
+}  // namespace bspview

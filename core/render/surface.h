@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/render/intersect.h"
+
+namespace bspview {
+
+/// The surface at a hit, turned towards the ray that hit it.
+struct Surface {
+  Vec3d point{0.0};
+  Vec3d normal{0.0};          ///< geometric, unit, on the ray's side
+  Vec3d shading_normal{0.0};  ///< unit; differs from `normal` on patches only
+  Vec3d error{0.0};           ///< bound on how far `point` may be off the surface, per axis
+  bool from_behind = false;   ///< the ray came to the back of the object
+  const Material* material = nullptr;
+};
+
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
+
+/// Origin for a ray that leaves the surface towards `direction`: surely on that side of it. After
+/// Waechter & Binder and pbrt: moved by the error bound along the normal, then rounded outwards.
+Vec3 leaving_origin(const Surface& surface, Vec3d direction);
+
+}  // namespace bspview

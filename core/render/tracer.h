@@ -1,0 +1,127 @@
+#pragma once
+
+// Tracers answer the two questions of the shader, closest and occluded, and differ in what they
+// keep: nothing, counts, the rays, or every step.
+
+#include <vector>
+
+#include "core/render/intersect.h"
+#include "core/render/ray_counts.h"
+#include "core/render/render.h"
+
+namespace bspview {
+
+/// Keeps nothing: the timed path.
+class PlainTracer {
+ public:
+  PlainTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  Hit closest(const Ray& ray, RayKind, int) {
+    NoObserver none;
+    return closest_hit(world_, ray, rules_, none);
+  }
+  bool occluded(const Ray& ray, int) {
+    NoObserver none;
+    return any_hit(world_, ray, rules_, none) != no_index;
+  }
+
+ private:
+  World world_;
+  TraceRules rules_;
+};
+
+/// Counts rays, visits and tests.
+class CountTracer {
+ public:
+  CountTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  Hit closest(const Ray& ray, RayKind kind, int) {
+    CountObserver count(cost_);
+    const Hit hit = closest_hit(world_, ray, rules_, count);
+    counts_.add_ray(kind, static_cast<bool>(hit));
+    return hit;
+  }
+  bool occluded(const Ray& ray, int) {
+    CountObserver count(cost_);
+    const bool hit = any_hit(world_, ray, rules_, count) != no_index;
+    counts_.add_ray(RayKind::shadow, hit);
+    return hit;
+  }
+  RayCounts counts() const {
+    RayCounts all = counts_;
+    all.nodes_inner = cost_.inner;
+    all.nodes_leaf = cost_.leaves;
+    all.tests = cost_.tests;
+    return all;
+  }
+
+ private:
+  World world_;
+  TraceRules rules_;
+  RayCost cost_;
+  RayCounts counts_;
+};
+
+/// A ray of a picture and how far it walked.
+struct RecordedRay {
+  Ray ray;
+  std::uint32_t leaves = 0;  ///< leaf visits until the walk ended
+  RayKind kind = RayKind::primary;
+};
+
+/// Records every ray.
+class RecordTracer {
+ public:
+  RecordTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  Hit closest(const Ray& ray, RayKind kind, int) {
+    RayCost cost;
+    CountObserver count(cost);
+    const Hit hit = closest_hit(world_, ray, rules_, count);
+    rays_.push_back({ray, static_cast<std::uint32_t>(cost.leaves), kind});
+    return hit;
+  }
+  bool occluded(const Ray& ray, int) {
+    RayCost cost;
+    CountObserver count(cost);
+    const bool hit = any_hit(world_, ray, rules_, count) != no_index;
+    rays_.push_back({ray, static_cast<std::uint32_t>(cost.leaves), RayKind::shadow});
+    return hit;
+  }
+  std::vector<RecordedRay>& rays() { return rays_; }
+
+ private:
+  World world_;
+  TraceRules rules_;
+  std::vector<RecordedRay> rays_;
+};
+
+/// Keeps every ray with its walk, for one pixel.
+class PathTracer {
+ public:
+  PathTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  Hit closest(const Ray& ray, RayKind kind, int level);
+  bool occluded(const Ray& ray, int level);
+  std::vector<PathRay>& rays() { return rays_; }
+
+ private:
+  PathRay& start(const Ray& ray, RayKind kind, int level);
+
+  World world_;
+  TraceRules rules_;
+  std::vector<PathRay> rays_;
+  std::vector<int> last_at_level_;  // index of the last ray that is no shadow ray; index: level
+};
+
+/// Every object, in double: what pictures are checked against.
+class ReferenceTracer {
+ public:
+  ReferenceTracer(const Scene& scene, SideRule sides) : scene_(scene), sides_(sides) {}
+  Hit closest(const Ray& ray, RayKind, int);
+  bool occluded(const Ray& ray, int level);
+
+ private:
+  ShapeHit hit(std::uint32_t object, const RayQuery& ray) const;
+
+  const Scene& scene_;
+  SideRule sides_;
+};
+
+}  // namespace bspview

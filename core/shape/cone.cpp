@@ -1,0 +1,149 @@
+#include "core/shape/cone.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/float_error.h"
+
+namespace bspview {
+namespace {
+
+/// Extent of the circle with normal `axis` and radius 1 along coordinate axis i:
+/// sqrt(1 - (axis_i / |axis|)^2).
+Vec3d circle_extent(Vec3d axis) {
+  const double length2 = glm::dot(axis, axis);
+  Vec3d extent;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    extent[i] = std::sqrt((axis[j] * axis[j] + axis[k] * axis[k]) / length2);
+  }
+  return extent;
+}
+
+struct Interval {
+  double lo, hi;
+  bool empty() const { return !(lo <= hi); }
+  /// Keeps the s with constant + slope * s >= 0.
+  void keep(double constant, double slope) {
+    if (slope > 0.0) lo = std::max(lo, -constant / slope);
+    if (slope < 0.0) hi = std::min(hi, -constant / slope);
+    if (slope == 0.0 && constant < 0.0) hi = lo - 1.0;
+  }
+};
+
+/// Box of the circles at axis parameters `s`, rounded outwards.
+Aabb bounds_of_part(const Cone& cone, Interval s) {
+  const Vec3d base(cone.base);
+  const Vec3d axis = Vec3d(cone.apex) - base;
+  const Vec3d extent = circle_extent(axis);
+  const double base_radius = std::abs(static_cast<double>(cone.base_radius));
+  const double growth = std::abs(static_cast<double>(cone.apex_radius)) - base_radius;
+  Aabb box;
+  for (const double end : {s.lo, s.hi}) {
+    const Vec3d centre = base + end * axis;
+    const Vec3d reach = (base_radius + end * growth) * extent;
+    const Vec3d margin = 0x1p-48 * (glm::abs(base) + glm::abs(axis) + reach);
+    for (int i = 0; i < 3; ++i) {
+      box.lo[i] = std::min(box.lo[i], round_down(centre[i] - reach[i] - margin[i]));
+      box.hi[i] = std::max(box.hi[i], round_up(centre[i] + reach[i] + margin[i]));
+    }
+  }
+  return box;
+}
+
+/// The quadratic a t^2 - 2 b t + c = 0 of a ray and the unbounded cone.
+struct Quadratic {
+  double a, b, c;
+};
+
+/// Both roots, the smaller first; false when there is none. A vanishing `a` (the ray runs along a
+/// generator) leaves one finite root.
+bool solve(const Quadratic& equation, double roots[2]) {
+  const auto& [a, b, c] = equation;
+  const double discriminant = b * b - a * c;
+  if (!(discriminant >= 0.0)) return false;
+  const double q = b + std::copysign(std::sqrt(discriminant), b);
+  if (q == 0.0 && a == 0.0) return false;
+  roots[0] = a == 0.0 ? no_hit : q / a;
+  roots[1] = q == 0.0 ? 0.0 : c / q;
+  if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
+  return true;
+}
+
+}  // namespace
+
+ShapeHit hit_cone(const RayQuery& ray, const Cone& cone, Sides sides) {
+  const Vec3d d(ray.direction);
+  const Vec3d base(cone.base);
+  const Vec3d axis = Vec3d(cone.apex) - base;
+  const double axis2 = glm::dot(axis, axis);
+  const double base_radius = std::abs(static_cast<double>(cone.base_radius));
+  const double growth = std::abs(static_cast<double>(cone.apex_radius)) - base_radius;
+
+  // Move the origin to the ray's closest point to the middle of the axis: far away the
+  // discriminant would be lost in the rounding of b * b.
+  const Vec3d to_middle = base + 0.5 * axis - Vec3d(ray.origin);
+  const double shift = glm::dot(to_middle, d) / glm::dot(d, d);
+  const Vec3d f = Vec3d(ray.origin) - base + shift * d;
+
+  // Along the axis: s = m + t n, 0 at the base and 1 at the apex; across it f_across + t d_across.
+  const double m = glm::dot(f, axis) / axis2;
+  const double n = glm::dot(d, axis) / axis2;
+  const Vec3d f_across = f - m * axis;
+  const Vec3d d_across = d - n * axis;
+  const double radius = base_radius + growth * m;
+  const double slope = growth * n;
+  const Quadratic equation{glm::dot(d_across, d_across) - slope * slope,
+                           radius * slope - glm::dot(f_across, d_across),
+                           glm::dot(f_across, f_across) - radius * radius};
+  double roots[2];
+  if (!solve(equation, roots)) return {};
+
+  for (const double root : roots) {
+    const double s = m + root * n;
+    if (!(0.0 <= s && s <= 1.0) || !ray.accepts(shift + root)) continue;
+    if (sides == Sides::front) {
+      // Half the derivative of |across|^2 - radius^2 along the ray: < 0 where it enters.
+      const bool enters = equation.a * root - equation.b < 0.0;
+      if (enters == (cone.base_radius < 0.0f || cone.apex_radius < 0.0f)) continue;
+    }
+    return {shift + root};
+  }
+  return {};
+}
+
+Aabb cone_bounds(const Cone& cone) {
+  return bounds_of_part(cone, {0.0, 1.0});
+}
+
+Aabb clip_cone(const Cone& cone, const Aabb& cell) {
+  const Vec3d base(cone.base);
+  const Vec3d axis = Vec3d(cone.apex) - base;
+  const Vec3d extent = circle_extent(axis);
+  const double base_radius = std::abs(static_cast<double>(cone.base_radius));
+  const double growth = std::abs(static_cast<double>(cone.apex_radius)) - base_radius;
+  Interval s{0.0, 1.0};
+  for (int i = 0; i < 3; ++i) {
+    const double margin =
+        0x1p-40 * (std::abs(base[i]) + std::abs(axis[i]) + base_radius + std::abs(growth));
+    const double widest = base_radius * extent[i] + margin;
+    const double widening = growth * extent[i];
+    s.keep(base[i] + widest - cell.lo[i], axis[i] + widening);
+    s.keep(cell.hi[i] - base[i] + widest, widening - axis[i]);
+  }
+  if (s.empty()) return Aabb{};
+  const Aabb box = intersection(bounds_of_part(cone, s), cell);
+  return box.empty() ? Aabb{} : box;
+}
+
+Vec3d cone_normal(const Cone& cone, Vec3d point) {
+  const Vec3d axis = Vec3d(cone.apex) - Vec3d(cone.base);
+  const double axis2 = glm::dot(axis, axis);
+  const Vec3d from_base = point - Vec3d(cone.base);
+  const Vec3d across = from_base - (glm::dot(from_base, axis) / axis2) * axis;
+  const double growth = std::abs(static_cast<double>(cone.apex_radius)) -
+                        std::abs(static_cast<double>(cone.base_radius));
+  return glm::normalize(glm::normalize(across) - (growth / axis2) * axis);
+}
+
+}  // namespace bspview

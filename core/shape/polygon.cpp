@@ -1,0 +1,169 @@
+#include "core/shape/polygon.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/math/float_error.h"
+#include "core/shape/triangle.h"
+
+namespace bspview {
+namespace {
+
+/// Whether the ray passes through the polygon: counts the edges that cross the positive x axis of
+/// the ray's plane. Signs of crossings are exact, since products of floats are, in double.
+bool encloses_ray(const RayQuery& ray, std::span<const Vec3> vertices) {
+  bool inside = false;
+  Vec2 p = ray.project(vertices.back());
+  for (const Vec3& vertex : vertices) {
+    const Vec2 q = ray.project(vertex);
+    if ((p.y > 0.0f) != (q.y > 0.0f)) {
+      const double side = static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
+      if (q.y > p.y ? side > 0.0 : side < 0.0) inside = !inside;
+    }
+    p = q;
+  }
+  return inside;
+}
+
+/// A polygon while it is cut; small ones need no heap.
+class ClipBuffer {
+ public:
+  void clear() { size_ = 0; }
+  void push(Vec3d point) {
+    if (size_ < inline_points) {
+      inline_[size_] = point;
+    } else {
+      if (size_ == inline_points) heap_.assign(inline_.begin(), inline_.end());
+      heap_.push_back(point);
+    }
+    ++size_;
+  }
+  std::span<const Vec3d> points() const {
+    return size_ <= inline_points ? std::span(inline_).first(size_) : std::span(heap_);
+  }
+
+ private:
+  static constexpr std::size_t inline_points = 16;
+  std::array<Vec3d, inline_points> inline_;
+  std::vector<Vec3d> heap_;
+  std::size_t size_ = 0;
+};
+
+/// Half-space of the points p with sign * (p[axis] - bound) >= -margin.
+struct HalfSpace {
+  int axis;
+  double sign, bound, margin;
+  double inside_by(Vec3d p) const { return sign * (p[axis] - bound) + margin; }
+};
+
+/// One step of Sutherland & Hodgman (1974).
+void clip_once(std::span<const Vec3d> in, const HalfSpace& half, ClipBuffer& out) {
+  out.clear();
+  Vec3d p = in.back();
+  double p_inside = half.inside_by(p);
+  for (const Vec3d& q : in) {
+    const double q_inside = half.inside_by(q);
+    if ((p_inside >= 0.0) != (q_inside >= 0.0)) {
+      out.push(p + (p_inside / (p_inside - q_inside)) * (q - p));
+    }
+    if (q_inside >= 0.0) out.push(q);
+    p = q;
+    p_inside = q_inside;
+  }
+}
+
+Aabb rounded_box(std::span<const Vec3d> points, double margin) {
+  Vec3d lo = points[0], hi = points[0];
+  for (const Vec3d& p : points) {
+    lo = glm::min(lo, p);
+    hi = glm::max(hi, p);
+  }
+  Aabb box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lo[axis] = round_down(lo[axis] - margin);
+    box.hi[axis] = round_up(hi[axis] + margin);
+  }
+  return box;
+}
+
+Aabb box_of(std::span<const Vec3> vertices) {
+  Aabb box;
+  for (const Vec3& vertex : vertices) box.grow(vertex);
+  return box;
+}
+
+double largest_magnitude(const Aabb& a) {
+  return largest_component(glm::max(glm::abs(a.lo), glm::abs(a.hi)));
+}
+
+}  // namespace
+
+PolygonPlane polygon_plane(std::span<const Vec3> vertices) {
+  PolygonPlane plane{Vec3d(0.0), Vec3d(0.0)};
+  const Vec3d base(vertices[0]);
+  Vec3d p = Vec3d(vertices.back()) - base;
+  for (const Vec3& vertex : vertices) {
+    const Vec3d q = Vec3d(vertex) - base;
+    plane.normal += glm::cross(p, q);
+    plane.point += q;
+    p = q;
+  }
+  plane.point = base + plane.point / static_cast<double>(vertices.size());
+  return plane;
+}
+
+ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, Sides sides) {
+  if (!encloses_ray(ray, vertices)) return {};
+  const PolygonPlane plane = polygon_plane(vertices);
+  return {hit_plane(ray, plane.point, plane.normal, sides)};
+}
+
+Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& cell) {
+  const Aabb whole = box_of(vertices);
+  if (cell.contains(whole)) return whole;
+  const Aabb overlap = intersection(whole, cell);
+  if (overlap.empty()) return Aabb{};
+
+  // Cutting 12 times in double is off by far less than 2^-48 of the largest coordinate.
+  const double margin = 0x1p-48 * std::max(largest_magnitude(whole), largest_magnitude(cell));
+  ClipBuffer buffers[2];
+  for (const Vec3& vertex : vertices) buffers[0].push(Vec3d(vertex));
+  int current = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      const double bound = sign > 0.0 ? cell.lo[axis] : cell.hi[axis];
+      const bool cuts = sign > 0.0 ? whole.lo[axis] < bound : whole.hi[axis] > bound;
+      if (!cuts) continue;
+      clip_once(buffers[current].points(), {axis, sign, bound, margin}, buffers[1 - current]);
+      current = 1 - current;
+      if (buffers[current].points().empty()) return Aabb{};
+    }
+  }
+  return intersection(rounded_box(buffers[current].points(), margin), overlap);
+}
+
+void mean_value_coordinates(std::span<const Vec3> vertices, Vec3 point, std::span<float> weights) {
+  const std::size_t n = vertices.size();
+  const Vec3d normal = glm::normalize(polygon_plane(vertices).normal);
+  const auto arm = [&](std::size_t i) { return Vec3d(vertices[i % n]) - Vec3d(point); };
+  // tan(angle / 2) between two arms, signed: (1 - cos) / sin, as sin / (1 + cos).
+  const auto half_tangent = [&](Vec3d p, Vec3d q) {
+    return glm::dot(glm::cross(p, q), normal) / (glm::length(p) * glm::length(q) + glm::dot(p, q));
+  };
+  double sum = 0.0;
+  std::vector<double> exact(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3d here = arm(i);
+    const double length = glm::length(here);
+    if (length == 0.0) {
+      for (std::size_t k = 0; k < n; ++k) weights[k] = k == i ? 1.0f : 0.0f;
+      return;
+    }
+    exact[i] = (half_tangent(arm(i + n - 1), here) + half_tangent(here, arm(i + 1))) / length;
+    sum += exact[i];
+  }
+  for (std::size_t i = 0; i < n; ++i) weights[i] = static_cast<float>(exact[i] / sum);
+}
+
+}  // namespace bspview

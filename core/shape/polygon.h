@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "core/math/aabb.h"
+#include "core/shape/ray_query.h"
+
+namespace bspview {
+
+/// Plane of a polygon: Newell's normal (not normalised) through the mean of the vertices, so that
+/// vertices rounded off the plane do not favour one corner.
+struct PolygonPlane {
+  Vec3d point, normal;
+};
+PolygonPlane polygon_plane(std::span<const Vec3> vertices);
+
+/// Planar polygon, concave or self-overlapping (even-odd). A point on an edge belongs to exactly
+/// one of the two polygons that share it: meshes of polygons have neither gaps nor double hits.
+ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, Sides sides);
+
+/// Box of the part of a polygon (or triangle) inside `cell`, rounded outwards; empty when nothing
+/// is inside. Clipped in double with a margin, so that rounding only ever keeps too much.
+Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& cell);
+
+/// Mean value coordinates (Floater 2003) of `point` (in the polygon's plane): weights of the
+/// vertices, adding up to 1; written to `weights`, one a vertex.
+void mean_value_coordinates(std::span<const Vec3> vertices, Vec3 point, std::span<float> weights);
+
+}  // namespace bspview
