@@ -36,8 +36,7 @@ struct LambdaParams {
 /// as many leaves, with the object tests left out: the same nodes in the same order. What reading
 /// the rays and the root box test cost is timed by a third run and taken off. Runs are interleaved;
 /// T_TT is set against T_TR of the same repeat.
-Result<Lambda> measure_lambda(const World& world, const Camera& camera,
-                              const RenderParams& params, const LambdaParams& repeats,
-                              std::stop_token stop = {});
+Result<Lambda> measure_lambda(const World& world, const Camera& camera, const RenderParams& params,
+                              const LambdaParams& repeats, std::stop_token stop = {});
 
 }  // namespace bspview
