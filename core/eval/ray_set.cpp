@@ -4,7 +4,7 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
+#include <cstdlib>
 #include <optional>
 
 namespace bspview {
@@ -29,17 +29,11 @@ std::string_view take_token(std::string_view& line) {
 std::optional<float> parse_digits(std::string_view digits, std::chars_format format) {
   const char* end = digits.data() + digits.size();
   float value = 0.0f;
-  auto [stop, error] = std::from_chars(digits.data(), end, value, format);
-  if (error == std::errc::result_out_of_range) {
-    double wide = 0.0;
-    error = std::from_chars(digits.data(), end, wide, format).ec;
-    const bool large = error == std::errc::result_out_of_range ? digits.find('-') == digits.npos
-                                                               : std::abs(wide) > 1.0;
-    value = large ? std::numeric_limits<float>::infinity() : static_cast<float>(wide);
-    error = {};
-  }
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
+  const auto [stop, error] = std::from_chars(digits.data(), end, value, format);
+  if (stop != end || error == std::errc::invalid_argument) return std::nullopt;
+  if (error == std::errc()) return value;
+  const std::string_view prefix = format == std::chars_format::hex ? "0x" : "";
+  return std::strtof(fmt::format("{}{}", prefix, digits).c_str(), nullptr);
 }
 
 std::optional<float> parse_float(std::string_view token) {

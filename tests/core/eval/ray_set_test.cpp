@@ -57,6 +57,10 @@ TEST(RaySet, NumbersBeyondTheFloatsBecomeInfinityOrZero) {
   ASSERT_TRUE(rays.ok());
   EXPECT_EQ(rays->front().origin, Vec3(infinity, -infinity, infinity));
   EXPECT_EQ(rays->front().direction, Vec3(0.0f, 0.0f, 0x1p-149f));
+  const auto hexadecimal =
+      parse_rays("0x1p200 -0x1p-200 0." + std::string(60, '0') + "1 0 0 1", "");
+  ASSERT_TRUE(hexadecimal.ok());
+  EXPECT_EQ(hexadecimal->front().origin, Vec3(infinity, 0.0f, 0.0f));
 }
 
 TEST(RaySet, NineDigitsGiveEveryFloatBack) {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "core/bsp/traversal.h"
+#include "core/bsp/tree.h"
+
+namespace bspview {
+
+/// What every command and the viewer can be told about scene and tree.
+struct TreeOptions {
+  std::string scene;  ///< file or spd:NAME[:SIZE]
+  BuildParams build;
+  Traversal traversal = Traversal::robust;
+  std::uint64_t seed = 0;  ///< of everything random
+};
+
+/// The positional SCENE; call ->required() on the result where it has to be there.
+CLI::Option* add_scene(CLI::App& app, std::string& scene);
+
+/// Every tree option. `options` outlives the parsing.
+void add_tree_options(CLI::App& app, TreeOptions& options);
+
+}  // namespace bspview

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace bspview {
+
+/// "512M", "2G", "1.5GiB", "4096": bytes, with K, M, G and T the powers of 1024.
+std::optional<std::size_t> parse_byte_size(std::string_view text);
+
+/// Pixels.
+struct PictureSize {
+  int width = 0, height = 0;
+  bool operator==(const PictureSize&) const = default;
+};
+inline constexpr int picture_side_cap = 32768;
+
+/// "640x480", both sides 1 to picture_side_cap.
+std::optional<PictureSize> parse_picture_size(std::string_view text);
+
+/// Options of `app` whose values are WxH, and on or off.
+CLI::Option* add_picture_size(CLI::App& app, const std::string& name,
+                              std::optional<PictureSize>& size);
+CLI::Option* add_switch(CLI::App& app, const std::string& name, std::optional<bool>& on);
+
+/// Accepts finite numbers from `least` to `most`.
+CLI::Validator finite_number(double least, double most);
+
+}  // namespace bspview
