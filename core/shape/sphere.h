@@ -25,7 +25,7 @@ inline ShapeHit hit_sphere(const RayQuery& ray, const Sphere& sphere, Sides side
   const double discriminant = r2 - glm::dot(closest, closest);
   if (!(discriminant >= 0.0)) return {};
   const double root = std::sqrt(a * discriminant);
-  const double q = b + std::copysign(root, b);
+  const double q = b >= 0.0 ? b + root : b - root;
   const double c = glm::dot(f, f) - r2;
   const double other = q == 0.0 ? 0.0 : c / q;  // q == 0: the ray starts in a point sphere
   const double enter = b >= 0.0 ? other : q / a;

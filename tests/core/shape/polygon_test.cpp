@@ -1,0 +1,114 @@
+#include "core/shape/polygon.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "core/shape/triangle.h"
+#include "tests/support/random.h"
+
+namespace bspview {
+namespace {
+
+using test::Random;
+
+/// An L of six corners in the plane z = 0: the square [0, 2]^2 without its upper right quarter.
+const std::vector<Vec3> ell{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+
+double hit_at(float x, float y, std::span<const Vec3> vertices) {
+  return hit_polygon(RayQuery({{x, y, 1}, {0, 0, -1}}), vertices, Sides::both).t;
+}
+
+TEST(Polygon, ConcaveCornerIsLeftOut) {
+  EXPECT_EQ(hit_at(0.5f, 0.5f, ell), 1.0);
+  EXPECT_EQ(hit_at(1.5f, 0.5f, ell), 1.0);
+  EXPECT_EQ(hit_at(0.5f, 1.5f, ell), 1.0);
+  EXPECT_EQ(hit_at(1.5f, 1.5f, ell), no_hit);
+  EXPECT_EQ(hit_at(-0.5f, 0.5f, ell), no_hit);
+}
+
+TEST(Polygon, EveryPointOfASharedEdgeBelongsToExactlyOne) {
+  const std::vector<Vec3> left{{0, 0, 0}, {1, 0.25f, 0}, {0.75f, 1, 0}, {0, 1, 0}};
+  const std::vector<Vec3> right{{1, 0.25f, 0}, {2, 0, 0}, {2, 1, 0}, {0.75f, 1, 0}};
+  Random random(6);
+  for (int trial = 0; trial < 100000; ++trial) {
+    const float s = random.between(0.01f, 0.99f);
+    const Vec3 target = left[1] + s * (left[2] - left[1]);
+    const Vec3 origin = Vec3(1, 0.5f, 0) + 2.0f * random.direction();
+    if (std::abs(origin.z) < 0.1f) continue;
+    const RayQuery ray({origin, target - origin});
+    const int hits = (hit_polygon(ray, left, Sides::both).t != no_hit) +
+                     (hit_polygon(ray, right, Sides::both).t != no_hit);
+    ASSERT_EQ(hits, 1) << "trial " << trial;
+  }
+}
+
+TEST(Polygon, FrontIsWhereVerticesRunCounterClockwise) {
+  const RayQuery above({{0.5f, 0.5f, 1}, {0, 0, -1}}), below({{0.5f, 0.5f, -1}, {0, 0, 1}});
+  EXPECT_EQ(hit_polygon(above, ell, Sides::front).t, 1.0);
+  EXPECT_EQ(hit_polygon(below, ell, Sides::front).t, no_hit);
+}
+
+TEST(Polygon, ClippedBoxHoldsEveryPointInsideTheCell) {
+  Random random(7);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const std::array<Vec3, 3> corners{random.point(1), random.point(1), random.point(1)};
+    const Vec3 lo = random.point(0.7f);
+    const Aabb cell{lo, lo + Vec3(0.5f)};
+    const Aabb part = clip_polygon(corners, cell);
+    for (int k = 0; k < 20; ++k) {
+      float u = random.unit(), v = random.unit();
+      if (u + v > 1.0f) u = 1.0f - u, v = 1.0f - v;
+      const Vec3d p = Vec3d(corners[0]) + double(u) * (Vec3d(corners[1]) - Vec3d(corners[0])) +
+                      double(v) * (Vec3d(corners[2]) - Vec3d(corners[0]));
+      const bool in_cell = glm::all(glm::greaterThanEqual(p, Vec3d(cell.lo))) &&
+                           glm::all(glm::lessThanEqual(p, Vec3d(cell.hi)));
+      if (!in_cell) continue;
+      const bool in_part = glm::all(glm::greaterThanEqual(p, Vec3d(part.lo) - 1e-15)) &&
+                           glm::all(glm::lessThanEqual(p, Vec3d(part.hi) + 1e-15));
+      ASSERT_TRUE(in_part) << "trial " << trial;
+    }
+  }
+}
+
+TEST(Polygon, ClippingKeepsWhatTouchesAndDropsWhatPassesBy) {
+  const std::array<Vec3, 3> corners{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+  EXPECT_FALSE(clip_polygon(corners, {{0.5f, 0.5f, 0}, {1, 1, 1}}).empty());  // one corner touches
+  EXPECT_TRUE(clip_polygon(corners, {{0.6f, 0.6f, -1}, {1, 1, 1}}).empty());
+  EXPECT_FALSE(clip_polygon(corners, {{0, 0, 0}, {1, 1, 1}}).empty());  // lies in a side
+  EXPECT_EQ(clip_polygon(corners, {{-1, -1, -1}, {2, 2, 2}}), (Aabb{{0, 0, 0}, {1, 1, 0}}));
+}
+
+TEST(Polygon, ManyCornersAreClippedLikeFew) {
+  std::vector<Vec3> circle;
+  for (int i = 0; i < 144; ++i) {
+    const float angle = static_cast<float>(i) * 6.2831853f / 144.0f;
+    circle.push_back({std::cos(angle), std::sin(angle), 0.5f});
+  }
+  const Aabb part = clip_polygon(circle, {{0, 0, 0}, {0.5f, 2, 1}});
+  EXPECT_NEAR(part.lo.x, 0.0f, 1e-6f);
+  EXPECT_NEAR(part.hi.x, 0.5f, 1e-6f);
+  EXPECT_NEAR(part.hi.y, 1.0f, 1e-3f);
+  EXPECT_EQ(part.lo.z, 0.5f);
+}
+
+TEST(Polygon, MeanValueCoordinatesReproduceThePoint) {
+  Random random(8);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Vec3 point{random.between(0.1f, 0.9f), random.between(0.1f, 0.9f), 0};
+    std::array<float, 6> weights;
+    mean_value_coordinates(ell, point, weights);
+    Vec3 mean(0.0f);
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < ell.size(); ++i) {
+      mean += weights[i] * ell[i];
+      sum += weights[i];
+    }
+    ASSERT_NEAR(sum, 1.0f, 1e-5f);
+    ASSERT_NEAR(glm::distance(mean, point), 0.0f, 1e-5f);
+  }
+}
+
+}  // namespace
+}  // namespace bspview

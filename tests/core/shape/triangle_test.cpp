@@ -1,0 +1,123 @@
+#include "core/shape/triangle.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "tests/support/random.h"
+
+namespace bspview {
+namespace {
+
+using test::Random;
+using Corners = std::array<Vec3, 3>;
+
+ShapeHit hit(const Ray& ray, const Corners& corners, Sides sides = Sides::both) {
+  return hit_triangle(RayQuery(ray), corners.data(), sides);
+}
+
+TEST(Triangle, RayAimedInsideHitsWithTheDistanceOfThePoint) {
+  Random random(1);
+  for (int trial = 0; trial < 100000; ++trial) {
+    const Corners corners{random.point(1), random.point(1), random.point(1)};
+    const float u = random.between(0.05f, 0.45f), v = random.between(0.05f, 0.45f);
+    const Vec3 target = (1 - u - v) * corners[0] + u * corners[1] + v * corners[2];
+    const Vec3d normal = triangle_normal(corners[0], corners[1], corners[2]);
+    const Vec3 origin = 3.0f * random.direction();
+    const Vec3d way = Vec3d(target) - Vec3d(origin);
+    const double slant = std::abs(glm::dot(glm::normalize(normal), glm::normalize(way)));
+    if (glm::length(normal) < 0.05 || slant < 0.05) continue;
+    const ShapeHit found = hit({origin, target - origin}, corners);
+    ASSERT_NE(found.t, no_hit) << "trial " << trial;
+    ASSERT_NEAR(found.t, 1.0, 2e-6 / slant) << "trial " << trial;
+    ASSERT_NEAR(found.u, u, 2e-4);
+    ASSERT_NEAR(found.v, v, 2e-4);
+  }
+}
+
+TEST(Triangle, EdgeAreaIsAntisymmetricToTheLastBit) {
+  Random random(2);
+  for (int trial = 0; trial < 1000000; ++trial) {
+    const Vec2 p{random.between(-1, 1), random.between(-1, 1)};
+    const Vec2 q{random.between(-1, 1), random.between(-1, 1)};
+    ASSERT_EQ(edge_area(p, q), -edge_area(q, p));
+  }
+}
+
+TEST(Triangle, SignOfTheEdgeAreaIsThatOfTheExactArea) {
+  Random random(3);
+  for (int trial = 0; trial < 100000; ++trial) {
+    const Vec2 p{random.between(-1, 1), random.between(-1, 1)};
+    const Vec2 q = Vec2(random.between(0.5f, 2.0f)) * p;  // nearly in line with the origin
+    const double exact = static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
+    const double area = edge_area(p, q);
+    ASSERT_EQ(area > 0.0, exact > 0.0);
+    ASSERT_EQ(area < 0.0, exact < 0.0);
+  }
+}
+
+TEST(Triangle, TwoThatShareAnEdgeLeaveNoGap) {
+  Random random(4);
+  for (int trial = 0; trial < 200000; ++trial) {
+    const Vec3 a = random.point(1), b = random.point(1);
+    const Corners left{a, b, random.point(1)}, right{b, a, random.point(1)};
+    const float s = random.between(0.0f, 1.0f);
+    const Vec3 target = a + s * (b - a);
+    const Ray ray{3.0f * random.direction(), {}};
+    const Ray aimed{ray.origin, target - ray.origin};
+    // Seen along the ray, the third corners must lie on opposite sides of the shared edge.
+    const Vec3d edge = glm::cross(Vec3d(a - ray.origin), Vec3d(b - ray.origin));
+    const double side_left = glm::dot(edge, Vec3d(left[2] - ray.origin));
+    const double side_right = glm::dot(edge, Vec3d(right[2] - ray.origin));
+    if (side_left * side_right >= 0.0) continue;
+    ASSERT_TRUE(hit(aimed, left).t != no_hit || hit(aimed, right).t != no_hit) << trial;
+  }
+}
+
+TEST(Triangle, OneSidedIsSeenFromTheCounterClockwiseSideOnly) {
+  const Corners corners{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+  const Ray from_front{{0.2f, 0.2f, 1}, {0, 0, -1}}, from_behind{{0.2f, 0.2f, -1}, {0, 0, 1}};
+  EXPECT_EQ(hit(from_front, corners, Sides::front).t, 1.0);
+  EXPECT_EQ(hit(from_behind, corners, Sides::front).t, no_hit);
+  EXPECT_EQ(hit(from_behind, corners, Sides::both).t, 1.0);
+}
+
+TEST(Triangle, CollinearAndNonFiniteOnesAreMissed) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  const Ray ray{{0.25f, 0.25f, 1}, {0, 0, -1}};
+  EXPECT_EQ(hit(ray, {Vec3{0, 0, 0}, Vec3{1, 1, 0}, Vec3{2, 2, 0}}).t, no_hit);
+  EXPECT_EQ(hit(ray, {Vec3{0.25f}, Vec3{0.25f}, Vec3{0.25f}}).t, no_hit);
+  for (const float bad : {nan, inf, -inf}) {
+    EXPECT_EQ(hit(ray, {Vec3{0, 0, 0}, Vec3{bad, 0, 0}, Vec3{0, 1, 0}}).t, no_hit) << bad;
+    EXPECT_EQ(hit(ray, {Vec3{0, 0, bad}, Vec3{1, 0, bad}, Vec3{0, 1, bad}}).t, no_hit) << bad;
+  }
+}
+
+TEST(Triangle, OutsideTheIntervalIsNoHit) {
+  const Corners corners{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+  Ray ray{{0.2f, 0.2f, 1}, {0, 0, -2}};
+  EXPECT_EQ(hit(ray, corners).t, 0.5);
+  ray.t_max = 0.5f;
+  EXPECT_EQ(hit(ray, corners).t, no_hit);
+  ray.t_max = 1.0f;
+  ray.t_min = 0.5f;
+  EXPECT_EQ(hit(ray, corners).t, no_hit);
+}
+
+TEST(Triangle, DoubleReferenceAgreesAwayFromEdges) {
+  Random random(5);
+  for (int trial = 0; trial < 100000; ++trial) {
+    const Corners corners{random.point(1), random.point(1), random.point(1)};
+    const RayQuery ray({3.0f * random.direction(), random.direction()});
+    const ShapeHit one = hit_triangle(ray, corners.data(), Sides::both);
+    const ShapeHit two = hit_triangle_double(ray, corners.data(), Sides::both);
+    const ShapeHit& any = one.t != no_hit ? one : two;
+    const float border = std::min({any.u, any.v, 1.0f - any.u - any.v});
+    if (any.t == no_hit || border < 1e-3f) continue;
+    ASSERT_NEAR(one.t, two.t, 1e-6 * std::abs(two.t)) << trial;
+  }
+}
+
+}  // namespace
+}  // namespace bspview
