@@ -1,0 +1,121 @@
+#include "core/bsp/build.h"
+
+#include <array>
+#include <cmath>
+#include <new>
+
+#include "core/base/parallel.h"
+#include "core/base/timer.h"
+#include "core/bsp/recursion.h"
+#include "core/bsp/split_rules.h"
+
+namespace bspview {
+namespace {
+
+/// A builder: its name on the command line and how it grows a tree.
+struct Rule {
+  std::string_view name;
+  GrowTree* grow;
+};
+
+/// In the order of the enumerators of Builder.
+constexpr std::array rules{
+    Rule{"naive", grow_naive},
+    Rule{"median", grow_median},
+    Rule{"median-longest", grow_median_longest},
+    Rule{"object-median", grow_object_median},
+    Rule{"mb", grow_mb},
+    Rule{"sah", grow_sah},
+};
+
+constexpr auto rule_names = [] {
+  std::array<std::string_view, rules.size()> names;
+  for (std::size_t i = 0; i < rules.size(); ++i) names[i] = rules[i].name;
+  return names;
+}();
+
+// Node and reference indices have 30 and 32 bits: no tree takes more than this many bytes.
+constexpr std::size_t memory_cap = std::size_t{1} << 33;
+
+bool is_placeable(const Aabb& box) {
+  const auto finite = [](Vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  return !box.empty() && finite(box.lo) && finite(box.hi);
+}
+
+std::vector<ObjectPart> placeable_objects(const BuildInput& input) {
+  std::vector<ObjectPart> parts;
+  parts.reserve(input.boxes.size());
+  for (std::size_t i = 0; i < input.boxes.size(); ++i) {
+    if (is_placeable(input.boxes[i])) {
+      parts.push_back({input.boxes[i], static_cast<std::uint32_t>(i)});
+    }
+  }
+  return parts;
+}
+
+/// The union of the boxes, each side moved outwards by 1e-5 x the largest one.
+Aabb root_box(std::span<const ObjectPart> parts) {
+  Aabb box;
+  for (const ObjectPart& part : parts) box.grow(part.box);
+  if (box.empty()) return box;
+  const Vec3 largest(std::numeric_limits<float>::max());
+  const Vec3 margin(1e-5f * largest_component(glm::min(box.extent(), largest)));
+  return {glm::max(box.lo - margin, -largest), glm::min(box.hi + margin, largest)};
+}
+
+/// 8 ulp of the largest coordinate: thinner cells would be rounding errors.
+double smallest_width(const Aabb& box) {
+  const Vec3 reach = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+  return box.empty() ? 0.0 : 8.0 * 0x1p-23 * largest_component(reach);
+}
+
+Tree grow_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
+  std::vector<ObjectPart> parts = placeable_objects(input);
+  BuildJob job{.input = input, .box = root_box(parts), .costs = cost_model(params)};
+  job.max_depth = effective_depth(params, input.boxes.size());
+  job.leaf_size = static_cast<std::size_t>(std::max(1, params.leaf_size));
+  job.clip = effective_clip(params) && input.clip;
+  job.min_width = smallest_width(job.box);
+  job.memory_limit = std::min(params.memory_limit, memory_cap);
+  job.stop = std::move(stop);
+
+  Branch branch;
+  rules[static_cast<std::size_t>(params.builder)].grow(job, std::move(parts), branch);
+  return {.box = job.box,
+          .nodes = std::move(branch.nodes),
+          .references = std::move(branch.references),
+          .object_count = input.boxes.size(),
+          .params = params,
+          .max_depth = job.max_depth,
+          .naive = params.builder == Builder::naive,
+          .memory_limit_reached = branch.memory_limit_reached};
+}
+
+}  // namespace
+
+void grow_naive(const BuildJob&, std::vector<ObjectPart> parts, Branch& branch) {
+  branch.nodes.push_back(Node::make_leaf(0, static_cast<std::uint32_t>(parts.size())));
+  for (const ObjectPart& part : parts) branch.references.push_back(part.object);
+}
+
+std::span<const std::string_view> builder_names() { return rule_names; }
+
+std::string_view name_of(Builder builder) { return rule_names[static_cast<std::size_t>(builder)]; }
+
+Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
+  const Timer timer;
+  try {
+    Tree tree;
+    with_threads(params.threads, [&] { tree = grow_tree(input, params, std::move(stop)); });
+    tree.build_seconds = timer.seconds();
+    return tree;
+  } catch (const BuildStopped&) {
+    return Error{"stopped"};
+  } catch (const std::bad_alloc&) {
+    return Error{"not enough memory for the tree"};
+  }
+}
+
+}  // namespace bspview

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/bsp/build.h"
+#include "core/bsp/cost.h"
+
+namespace bspview {
+
+/// Thrown, inside the builders only, when the stop token was requested.
+struct BuildStopped {};
+
+// Steps of a loop between two looks at the stop token: each well below a millisecond.
+inline constexpr std::size_t light_steps = std::size_t{1} << 16;  ///< a few instructions each
+inline constexpr std::size_t clip_steps = std::size_t{1} << 9;
+
+/// Splits dearer than a leaf that may follow each other on one path: often it takes several to
+/// cut empty space off on more than one side.
+inline constexpr int max_failed_splits = 3;
+
+/// What stays the same through one build.
+struct BuildJob {
+  const BuildInput& input;
+  Aabb box;  ///< of the root
+  CostModel costs;
+  int max_depth = 0;
+  std::size_t leaf_size = 1;
+  bool clip = false;
+  double min_width = 0.0;  ///< of a cell that a split makes
+  std::size_t memory_limit = 0;
+  std::stop_token stop = {};
+
+  void poll() const {
+    if (stop.stop_requested()) throw BuildStopped{};
+  }
+
+  /// Calls body(0) ... body(count - 1) and polls every `interval` calls.
+  template <class Body>
+  void for_each(std::size_t count, std::size_t interval, Body body) const {
+    for (std::size_t first = 0; first < count; first += interval) {
+      poll();
+      const std::size_t last = std::min(count, first + interval);
+      for (std::size_t i = first; i < last; ++i) body(i);
+    }
+  }
+};
+
+/// The part of an object that lies in a node, by its box.
+struct ObjectPart {
+  Aabb box;
+  std::uint32_t object = 0;
+};
+
+/// A node's place in the tree.
+struct Place {
+  Aabb cell;
+  int depth = 0;
+};
+
+/// A plane, and how many objects touch each side of it (an object in the plane touches both).
+struct Split {
+  int axis = 0;
+  float position = 0.0f;
+  std::uint32_t left = 0;
+  std::uint32_t right = 0;
+  double cost = 0.0;  ///< expected, in the units of the job's costs; 0 where the rule knows none
+};
+
+/// The planes that leave both sides of a cell at least min_width thick.
+class PlaneRange {
+ public:
+  PlaneRange(const BuildJob& job, const Aabb& cell, int axis);
+  bool holds(float position) const { return first_ <= position && position <= last_; }
+  bool empty() const { return !(first_ <= last_); }
+  float first() const { return first_; }
+  float last() const { return last_; }
+
+ private:
+  float first_, last_;
+};
+
+/// Box of the part of `object` inside `cell`; empty when nothing is inside.
+Aabb clipped_box(const BuildJob& job, std::uint32_t object, const Aabb& cell);
+
+}  // namespace bspview

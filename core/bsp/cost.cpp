@@ -1,0 +1,41 @@
+#include "core/bsp/cost.h"
+
+#include <algorithm>
+
+namespace bspview {
+namespace {
+
+double at_least_zero(float x) { return x > 0.0f ? x : 0.0; }
+
+Vec3d extent_in_double(const Aabb& box) { return Vec3d(box.hi) - Vec3d(box.lo); }
+
+double half_area_in_double(const Vec3d& d) { return d.x * d.y + d.y * d.z + d.z * d.x; }
+
+}  // namespace
+
+CostModel cost_model(const BuildParams& params) {
+  return {.traversal = at_least_zero(params.cost_traversal),
+          .intersection = at_least_zero(params.cost_intersection),
+          .empty_factor = 1.0 - std::min(1.0, at_least_zero(params.empty_bonus))};
+}
+
+SplitCost::SplitCost(const CostModel& model, const Aabb& cell, int axis)
+    : lo_(cell.lo[axis]),
+      hi_(cell.hi[axis]),
+      traversal_(model.traversal),
+      empty_factor_(model.empty_factor) {
+  const Vec3d d = extent_in_double(cell);
+  const double u = d[(axis + 1) % 3];
+  const double v = d[(axis + 2) % 3];
+  const double area = half_area_in_double(d);
+  // A cell without area is a line: its parts are crossed in the ratio of their lengths.
+  caps_ = area > 0.0 ? model.intersection * u * v / area : 0.0;
+  rim_ = model.intersection * (area > 0.0 ? (u + v) / area : 1.0 / d[axis]);
+}
+
+double crossing_probability(const Aabb& part, const Aabb& cell) {
+  const double area = half_area_in_double(extent_in_double(cell));
+  return area > 0.0 ? half_area_in_double(extent_in_double(part)) / area : 1.0;
+}
+
+}  // namespace bspview

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/bsp/tree.h"
+
+namespace bspview {
+
+/// Constants of the surface-area heuristic: the expected cost of a ray that crosses a node is
+/// `intersection` an object in a leaf, and `traversal` plus the children's shares in an inner node.
+struct CostModel {
+  double traversal = 0.0;
+  double intersection = 0.0;
+  double empty_factor = 1.0;  ///< of the cost of a split with one empty side
+
+  double leaf(std::size_t objects) const { return intersection * static_cast<double>(objects); }
+};
+
+/// Nonsense (negative or not a number) counts as 0.
+CostModel cost_model(const BuildParams& params);
+
+/// Cost of splitting one cell on one axis, when both children become leaves.
+/// After MacDonald & Booth 1990, "Heuristics for ray tracing using space subdivision".
+class SplitCost {
+ public:
+  SplitCost(const CostModel& model, const Aabb& cell, int axis);
+
+  /// `left` and `right` objects touch the two sides of the plane at `position`.
+  double operator()(double position, std::uint32_t left, std::uint32_t right) const {
+    const double tests = left * (caps_ + rim_ * (position - lo_)) +
+                         right * (caps_ + rim_ * (hi_ - position));
+    const double cost = traversal_ + tests;
+    return left == 0 || right == 0 ? cost * empty_factor_ : cost;
+  }
+
+ private:
+  double lo_, hi_;
+  double caps_, rim_;  // of the two faces parallel to the plane; of the others, a unit of length
+  double traversal_, empty_factor_;
+};
+
+/// Probability that a ray that crosses `cell` also crosses `part` of it.
+double crossing_probability(const Aabb& part, const Aabb& cell);
+
+}  // namespace bspview

@@ -1,0 +1,170 @@
+#include "core/bsp/event_list.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+#include "core/bsp/event_sort.h"
+
+namespace bspview {
+namespace {
+
+constexpr std::uint32_t nowhere = 0xffffffffu;
+
+// With fewer objects the three axes are not worth three tasks.
+constexpr std::size_t parallel_axes_count = 4096;
+
+/// Which side of the plane a part of a node touches.
+enum Side : std::uint8_t { left_side = 1, right_side = 2, both_sides = 3 };
+
+void write_events(const Aabb& box, int axis, std::uint32_t part, Event* events) {
+  events[0] = Event::make_start(box.lo[axis], part);
+  events[1] = Event::make_end(box.hi[axis], part);
+}
+
+}  // namespace
+
+/// A child while it is filled. Parts that are clipped lose their old events and get fresh ones.
+class EventList::Child {
+ public:
+  Child(EventList& list, const Aabb& cell, std::size_t parent_count, std::size_t straddling,
+        ScratchStack& scratch)
+      : list_(list),
+        cell_(cell),
+        target_(scratch, parent_count),
+        fresh_(scratch, straddling),
+        fresh_events_(scratch, 12 * straddling) {}
+
+  std::uint32_t count() const { return count_; }
+
+  /// The part number `part` of the parent does not come here.
+  void skip(std::size_t part) { target_[part] = nowhere; }
+
+  void add(std::size_t part, std::uint32_t object) {
+    target_[part] = count_;
+    list_.objects_[count_++] = object;
+  }
+
+  void add_clipped(std::size_t part, std::uint32_t object) {
+    target_[part] = nowhere;
+    const Aabb box = clipped_box(*list_.job_, object, cell_);
+    if (box.empty()) return;
+    fresh_[fresh_count_++] = {box, count_};
+    list_.objects_[count_++] = object;
+  }
+
+  /// Writes an event of the parent to `to`, and tells whether it belongs here.
+  bool put(Event event, Event* to) const {
+    const std::uint32_t target = target_[event.part()];
+    *to = event.with_part(target);
+    return target != nowhere;
+  }
+
+  /// Completes one axis with the events of the clipped parts.
+  void merge_fresh(int axis) const {
+    const std::span<Event> fresh(fresh_events_.data() + 4 * axis * fresh_count_, 2 * fresh_count_);
+    for (std::size_t i = 0; i < fresh_count_; ++i) {
+      write_events(fresh_[i].box, axis, fresh_[i].object, &fresh[2 * i]);
+    }
+    sort_events(*list_.job_, fresh, fresh.data() + fresh.size());
+    merge_events(list_.first_event(axis), 2 * (count_ - fresh_count_), fresh);
+  }
+
+  Event* first_event(int axis) const { return list_.first_event(axis); }
+
+ private:
+  EventList& list_;
+  const Aabb& cell_;
+  ScratchStack::Array<std::uint32_t> target_;  // index of the parent's part in the child
+  ScratchStack::Array<ObjectPart> fresh_;      // object: index in the child
+  ScratchStack::Array<Event> fresh_events_;
+  std::size_t fresh_count_ = 0;
+  std::uint32_t count_ = 0;
+};
+
+void for_each_axis(std::size_t objects, const std::function<void(int)>& body) {
+  if (objects >= parallel_axes_count) return parallel_for(3, body);
+  for (int axis = 0; axis < 3; ++axis) body(axis);
+}
+
+EventList::EventList(const BuildJob& job, std::size_t capacity, ScratchStack& scratch)
+    : job_(&job),
+      stride_(2 * capacity + 1),  // a list may be written to one event behind its end
+      events_(scratch, 3 * stride_),
+      objects_(scratch, capacity) {}
+
+EventList::EventList(const BuildJob& job, std::span<const ObjectPart> parts, ScratchStack& scratch)
+    : EventList(job, parts.size(), scratch) {
+  count_ = parts.size();
+  const ScratchStack::Array<Event> spare(scratch, 3 * stride_);
+  for_each_axis(count_, [&](int axis) {
+    Event* const events = first_event(axis);
+    job.for_each(count_, light_steps, [&](std::size_t i) {
+      write_events(parts[i].box, axis, static_cast<std::uint32_t>(i), events + 2 * i);
+    });
+    sort_events(job, {events, 2 * count_}, spare.data() + axis * stride_);
+  });
+  for (std::size_t i = 0; i < count_; ++i) objects_[i] = parts[i].object;
+}
+
+void EventList::append_objects(std::vector<std::uint32_t>& objects) const {
+  objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
+}
+
+void EventList::find_sides(const Split& split, std::uint8_t* sides) const {
+  const std::span<const Event> all = events(split.axis);
+  const auto before = [&](Event event) { return event.position() < split.position; };
+  const auto not_behind = [&](Event event) { return event.position() <= split.position; };
+  const std::size_t first = std::ranges::partition_point(all, before) - all.begin();
+  const std::size_t last = std::ranges::partition_point(all, not_behind) - all.begin();
+
+  std::fill_n(sides, count_, std::uint8_t{0});
+  job_->for_each(first, light_steps, [&](std::size_t i) {
+    sides[all[i].part()] |= all[i].is_start() ? left_side : 0;
+  });
+  job_->for_each(all.size() - last, light_steps, [&](std::size_t i) {
+    sides[all[last + i].part()] |= all[last + i].is_start() ? 0 : right_side;
+  });
+}
+
+void EventList::deal_objects(const std::uint8_t* sides, Child& left, Child& right) const {
+  job_->for_each(count_, clip_steps, [&](std::size_t i) {
+    const std::uint32_t object = objects_[i];  // read before the left child takes its place
+    const bool clip = job_->clip && sides[i] == both_sides;
+    const auto deal = [&](Child& child, Side side) {
+      if (!(sides[i] & side)) return child.skip(i);
+      return clip ? child.add_clipped(i, object) : child.add(i, object);
+    };
+    deal(left, left_side);
+    deal(right, right_side);
+  });
+}
+
+void EventList::deal_events(int axis, const Child& left, const Child& right) const {
+  const std::span<const Event> all = events(axis);
+  Event* to_left = left.first_event(axis);
+  Event* to_right = right.first_event(axis);
+  job_->for_each(all.size(), light_steps, [&](std::size_t i) {
+    const Event event = all[i];
+    to_left += left.put(event, to_left);
+    to_right += right.put(event, to_right);
+  });
+  left.merge_fresh(axis);
+  right.merge_fresh(axis);
+}
+
+EventList EventList::split(const Split& split, const Cells& cells, ScratchStack& scratch) {
+  EventList right_list(*job_, split.right, scratch);
+  const std::size_t straddling = split.left + split.right - count_;
+  Child left(*this, cells.left, count_, straddling, scratch);
+  Child right(right_list, cells.right, count_, straddling, scratch);
+  const ScratchStack::Array<std::uint8_t> sides(scratch, count_);
+
+  find_sides(split, sides.data());
+  deal_objects(sides.data(), left, right);
+  for_each_axis(count_, [&](int axis) { deal_events(axis, left, right); });
+  count_ = left.count();
+  right_list.count_ = right.count();
+  return right_list;
+}
+
+}  // namespace bspview

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/bsp/build_job.h"
+#include "core/bsp/event.h"
+#include "core/bsp/scratch_stack.h"
+
+namespace bspview {
+
+/// Runs body(0), body(1) and body(2), at the same time when a node has many objects.
+void for_each_axis(std::size_t objects, const std::function<void(int)>& body);
+
+/// The objects of a node as three lists of events, one an axis, sorted once for the whole tree:
+/// dividing them keeps their order, and only clipped parts make new ones.
+class EventList {
+ public:
+  /// Sorts the events of `parts`, which come in ascending order of their objects.
+  EventList(const BuildJob& job, std::span<const ObjectPart> parts, ScratchStack& scratch);
+
+  std::size_t count() const { return count_; }
+  std::span<const Event> events(int axis) const { return {first_event(axis), 2 * count_}; }
+  void append_objects(std::vector<std::uint32_t>& objects) const;
+
+  /// Keeps what touches the left cell, in place, and returns what touches the right one.
+  EventList split(const Split& split, const Cells& cells, ScratchStack& scratch);
+
+ private:
+  class Child;
+
+  EventList(const BuildJob& job, std::size_t capacity, ScratchStack& scratch);
+
+  Event* first_event(int axis) const { return events_.data() + axis * stride_; }
+  void find_sides(const Split& split, std::uint8_t* sides) const;
+  void deal_objects(const std::uint8_t* sides, Child& left, Child& right) const;
+  void deal_events(int axis, const Child& left, const Child& right) const;
+
+  const BuildJob* job_;
+  std::size_t count_ = 0;
+  std::size_t stride_;  // from one axis to the next
+  ScratchStack::Array<Event> events_;
+  ScratchStack::Array<std::uint32_t> objects_;
+};
+
+}  // namespace bspview

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include "core/bsp/build_job.h"
+#include "core/bsp/event.h"
+
+namespace bspview {
+
+/// Sorts events that come in ascending order of their parts; `spare` is as long as they are.
+/// O(N) for many events, O(N log N) for few.
+void sort_events(const BuildJob& job, std::span<Event> events, Event* spare);
+
+/// Merges the sorted `fresh` into the sorted `events[0 .. count)`; there is room behind them.
+void merge_events(Event* events, std::size_t count, std::span<const Event> fresh);
+
+}  // namespace bspview

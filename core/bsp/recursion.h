@@ -1,0 +1,106 @@
+#pragma once
+
+#include <optional>
+
+#include "core/base/parallel.h"
+#include "core/bsp/branch.h"
+#include "core/bsp/build_job.h"
+
+namespace bspview {
+
+/// The recursion that all builders share: limits, memory, threads and the order of the nodes.
+/// `Objects` is a set of object parts that a rule looks at and a plane divides:
+///
+///     std::size_t count() const;
+///     void append_objects(std::vector<std::uint32_t>&) const;    ascending ids
+///     std::optional<Split> find_split(const Place&) const;
+///     Objects split(const Split&, const Cells&, ScratchStack&);  keeps left, returns right
+template <class Objects>
+class Recursion {
+ public:
+  explicit Recursion(const BuildJob& job) : job_(job) {}
+
+  void grow_root(Objects& objects, Branch& branch) const {
+    branch.nodes.push_back(Node::make_leaf(0, 0));
+    grow(objects, {{job_.box, 0}, 0, job_.memory_limit}, {branch, 0});
+  }
+
+ private:
+  struct Task {
+    Place place;
+    int failed_splits = 0;   // of its ancestors
+    std::size_t memory = 0;  // bytes of nodes and references that the subtree may take
+  };
+  struct Slot {
+    Branch& branch;
+    std::uint32_t node;
+  };
+  struct Child {
+    Objects& objects;
+    Task task;
+  };
+
+  // A child with fewer objects is not worth a task of its own.
+  static constexpr std::size_t parallel_count = 512;
+
+  void grow(Objects& objects, Task task, Slot slot) const {
+    job_.poll();
+    const std::optional<Split> split = wanted_split(objects, task, slot.branch);
+    if (!split) return make_leaf(objects, slot);
+
+    const Cells cells = split_cell(task.place.cell, split->axis, split->position);
+    Objects right = objects.split(*split, cells, slot.branch.scratch);
+    const ChildMemory memory = share_memory(task.memory, objects.count(), right.count());
+    const int depth = task.place.depth + 1;
+    const Child left_child{objects, {{cells.left, depth}, task.failed_splits, memory.left}};
+    const Child right_child{right, {{cells.right, depth}, task.failed_splits, memory.right}};
+    grow_children(left_child, right_child, add_children(*split, slot));
+  }
+
+  /// The split that the rule asks for and the limits allow.
+  std::optional<Split> wanted_split(const Objects& objects, Task& task, Branch& branch) const {
+    if (objects.count() <= job_.leaf_size || task.place.depth >= job_.max_depth) return {};
+    const std::optional<Split> split = objects.find_split(task.place);
+    if (!split) return {};
+    if (split->cost > job_.costs.leaf(objects.count())) ++task.failed_splits;
+    if (task.failed_splits > max_failed_splits) return {};
+    if (has_room(task.memory, split->left, split->right)) return split;
+    branch.memory_limit_reached = true;
+    return {};
+  }
+
+  static void make_leaf(const Objects& objects, Slot slot) {
+    std::vector<std::uint32_t>& references = slot.branch.references;
+    const auto first = static_cast<std::uint32_t>(references.size());
+    objects.append_objects(references);
+    const auto count = static_cast<std::uint32_t>(references.size()) - first;
+    slot.branch.nodes[slot.node] = Node::make_leaf(first, count);
+  }
+
+  /// Makes the node at `slot` an inner one; the result is the place of its left child.
+  static Slot add_children(const Split& split, Slot slot) {
+    std::vector<Node>& nodes = slot.branch.nodes;
+    const auto left = static_cast<std::uint32_t>(nodes.size());
+    nodes[slot.node] = Node::make_inner(split.axis, split.position, left);
+    nodes.resize(left + 2, Node::make_leaf(0, 0));
+    return {slot.branch, left};
+  }
+
+  void grow_children(const Child& left, const Child& right, Slot left_slot) const {
+    const Slot right_slot{left_slot.branch, left_slot.node + 1};
+    if (std::min(left.objects.count(), right.objects.count()) < parallel_count) {
+      grow(left.objects, left.task, left_slot);
+      grow(right.objects, right.task, right_slot);
+      return;
+    }
+    Branch beside;
+    beside.nodes.push_back(Node::make_leaf(0, 0));
+    parallel_invoke([&] { grow(left.objects, left.task, left_slot); },
+                    [&] { grow(right.objects, right.task, {beside, 0}); });
+    splice(right_slot.branch, right_slot.node, beside);
+  }
+
+  const BuildJob& job_;
+};
+
+}  // namespace bspview

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace bspview {
+
+/// Memory that is given back in the reverse order of its allocation: a recursion takes what it
+/// needs without going to the heap for every node.
+class ScratchStack {
+  /// A height of the stack.
+  struct Mark {
+    std::size_t block = 0;
+    std::size_t used = 0;  // bytes of it
+  };
+
+ public:
+  /// An array that goes back to its stack when it dies. Its elements start undefined.
+  template <class T>
+  class Array {
+    static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 16);
+
+   public:
+    Array(ScratchStack& stack, std::size_t size)
+        : stack_(&stack), mark_(stack.top_), first_(static_cast<T*>(stack.take(size * sizeof(T)))) {}
+    Array(Array&& other) noexcept
+        : stack_(std::exchange(other.stack_, nullptr)), mark_(other.mark_), first_(other.first_) {}
+    ~Array() {
+      if (stack_) stack_->top_ = mark_;
+    }
+    Array& operator=(Array&&) = delete;
+
+    T* data() const { return first_; }
+    T& operator[](std::size_t i) const { return first_[i]; }
+
+   private:
+    ScratchStack* stack_;
+    Mark mark_;
+    T* first_;
+  };
+
+  ScratchStack() = default;
+  ScratchStack(const ScratchStack&) = delete;
+  ScratchStack& operator=(const ScratchStack&) = delete;
+
+ private:
+  struct Block {
+    std::unique_ptr<std::byte[]> bytes;
+    std::size_t size = 0;
+  };
+
+  void* take(std::size_t bytes);
+
+  std::vector<Block> blocks_;  // those before the top one are full, those behind it are free
+  Mark top_;
+};
+
+}  // namespace bspview

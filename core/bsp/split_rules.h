@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/bsp/branch.h"
+#include "core/bsp/build_job.h"
+
+namespace bspview {
+
+/// Grows the whole tree of one builder into `branch`: the rows of build.cpp's table. `parts` holds
+/// the placeable objects in ascending order.
+using GrowTree = void(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch);
+
+GrowTree grow_naive;          // one leaf
+GrowTree grow_median;         // split_median.cpp
+GrowTree grow_median_longest;
+GrowTree grow_object_median;  // split_object_median.cpp
+GrowTree grow_mb;             // split_mb.cpp
+GrowTree grow_sah;            // split_sah_sweep.cpp
+
+}  // namespace bspview

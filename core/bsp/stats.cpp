@@ -1,0 +1,78 @@
+#include "core/bsp/stats.h"
+
+#include "core/bsp/cost.h"
+
+namespace bspview {
+namespace {
+
+struct NodeInCell {
+  std::uint32_t node;
+  Aabb cell;
+  int depth;
+};
+
+void count_up(std::vector<std::uint64_t>& histogram, std::size_t index) {
+  if (index >= histogram.size()) histogram.resize(index + 1, 0);
+  ++histogram[index];
+}
+
+void add_leaf(TreeStats& stats, const NodeInCell& place, std::uint32_t objects) {
+  ++stats.leaves;
+  stats.references += objects;
+  stats.deepest_leaf = std::max(stats.deepest_leaf, place.depth);
+  count_up(stats.leaves_at_depth, static_cast<std::size_t>(place.depth));
+  count_up(stats.leaves_with_count, objects);
+  if (objects == 0) {
+    ++stats.empty_leaves;
+  } else if (!place.cell.empty()) {
+    stats.full_volume += volume(place.cell);
+  }
+}
+
+}  // namespace
+
+TreeStats tree_stats(const Tree& tree) {
+  const CostModel costs = cost_model(tree.params);
+  TreeStats stats;
+  stats.volume = tree.box.empty() ? 0.0 : volume(tree.box);
+  visit_nodes(tree, [&](std::uint32_t index, const Aabb& cell, int depth) {
+    const Node& node = tree.nodes[index];
+    const double probability = crossing_probability(cell, tree.box);
+    ++stats.nodes;
+    if (node.is_leaf()) {
+      add_leaf(stats, {index, cell, depth}, node.count());
+      stats.expected_cost += probability * costs.leaf(node.count());
+    } else {
+      ++stats.inner;
+      stats.expected_cost += probability * costs.traversal;
+    }
+    return true;
+  });
+  return stats;
+}
+
+void visit_nodes(const Tree& tree, const NodeVisitor& visit) {
+  if (tree.nodes.empty()) return;
+  std::vector<NodeInCell> open{{0, tree.box, 0}};
+  while (!open.empty()) {
+    const NodeInCell place = open.back();
+    open.pop_back();
+    const Node& node = tree.nodes[place.node];
+    if (!visit(place.node, place.cell, place.depth) || node.is_leaf()) continue;
+    const Cells cells = split_cell(place.cell, node.axis(), node.split());
+    open.push_back({node.right(), cells.right, place.depth + 1});
+    open.push_back({node.left(), cells.left, place.depth + 1});
+  }
+}
+
+std::uint32_t find_leaf(const Tree& tree, Vec3 point) {
+  if (tree.nodes.empty() || !tree.box.contains(point)) return no_leaf;
+  std::uint32_t index = 0;
+  while (!tree.nodes[index].is_leaf()) {
+    const Node& node = tree.nodes[index];
+    index = point[node.axis()] <= node.split() ? node.left() : node.right();
+  }
+  return index;
+}
+
+}  // namespace bspview
