@@ -17,9 +17,12 @@ constexpr std::array generators{
     SpdGenerator{{"gears", 4}, count_gears, make_gears},
     SpdGenerator{{"jacks", 3}, count_jacks, make_jacks},
     SpdGenerator{{"lattice", 12}, count_lattice, make_lattice},
+    SpdGenerator{{"nurbtst", 1, false}, count_nurbtst, make_nurbtst},
     SpdGenerator{{"rings", 7}, count_rings, make_rings},
+    SpdGenerator{{"sample", 1, false}, count_sample, make_sample},
     SpdGenerator{{"shells", 5}, count_shells, make_shells},
     SpdGenerator{{"sombrero", 1}, count_sombrero, make_sombrero},
+    SpdGenerator{{"teapot", 12}, count_teapot, make_teapot},
     SpdGenerator{{"tetra", 6}, count_tetra, make_tetra},
     SpdGenerator{{"tree", 11}, count_tree, make_tree},
 };

@@ -22,9 +22,12 @@ double count_balls(int size);
 double count_gears(int size);
 double count_jacks(int size);
 double count_lattice(int size);
+double count_nurbtst(int size);
 double count_rings(int size);
+double count_sample(int size);
 double count_shells(int size);
 double count_sombrero(int size);
+double count_teapot(int size);
 double count_tetra(int size);
 double count_tree(int size);
 
@@ -32,9 +35,12 @@ void make_balls(Scene& scene, int size);
 void make_gears(Scene& scene, int size);
 void make_jacks(Scene& scene, int size);
 void make_lattice(Scene& scene, int size);
+void make_nurbtst(Scene& scene, int size);
 void make_rings(Scene& scene, int size);
+void make_sample(Scene& scene, int size);
 void make_shells(Scene& scene, int size);
 void make_sombrero(Scene& scene, int size);
+void make_teapot(Scene& scene, int size);
 void make_tetra(Scene& scene, int size);
 void make_tree(Scene& scene, int size);
 
