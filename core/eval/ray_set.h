@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,11 +21,11 @@ Result<std::vector<Ray>> parse_rays(std::string_view text, const std::string& fi
 /// What a closest-hit ray found; the default is a miss.
 struct RayResult {
   std::uint32_t object = no_index;
-  float t = std::numeric_limits<float>::infinity();
+  double t = std::numeric_limits<double>::infinity();
   bool operator==(const RayResult&) const = default;
 };
 
-/// `object t` per line, t with 9 digits, which keep every float; `-1 inf` for a miss.
+/// `object t` per line, t with 9 digits (as %.9g); `-1 inf` for a miss.
 std::string format_results(std::span<const RayResult> results);
 
 /// `1` per line for a ray that hit something, else `0`.

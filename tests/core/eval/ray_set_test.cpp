@@ -76,12 +76,11 @@ TEST(RaySet, NineDigitsGiveEveryFloatBack) {
 }
 
 TEST(RaySet, ResultsAreWrittenAsPrintfWritesThem) {
-  const std::vector<RayResult> results{{0, 1.5f}, {}, {7381, 0.1f}, {12, 1e20f}, {3, 1e-7f}};
+  const std::vector<RayResult> results{{0, 1.5}, {}, {7381, 0.1}, {12, 1e20}, {3, 1e-7}};
   std::string expected;
   for (const RayResult& result : results) {
     char line[64];
-    std::snprintf(line, sizeof line, "%d %.9g\n", static_cast<int>(result.object),
-                  static_cast<double>(result.t));
+    std::snprintf(line, sizeof line, "%d %.9g\n", static_cast<int>(result.object), result.t);
     expected += line;
   }
   EXPECT_EQ(format_results(results), expected);

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/machine.h"
+#include "core/bsp/stats.h"
+#include "core/eval/delta.h"
+#include "core/eval/lambda.h"
+
+namespace bspview {
+
+/// The tree as it was built, and how.
+struct TreeReport {
+  TreeReport(const Tree& tree, Traversal traversal);
+
+  BuildParams params;  ///< with depth, clipping and threads as they were in force
+  Traversal traversal;
+  bool memory_limit_reached;
+  std::size_t bytes;
+  TreeStats stats;
+};
+
+/// What a command found out. What is nullopt was not asked for.
+struct Report {
+  explicit Report(const Scene& scene);
+
+  std::string scene_name;
+  ObjectCounts objects;
+  Aabb bounds;  ///< of the objects
+  std::optional<TreeReport> tree;
+  std::optional<Delta> delta;
+  std::optional<Lambda> lambda;
+  std::optional<RayCounts> rays;
+  std::uint64_t seed = 0;
+  Machine machine = this_machine();
+};
+
+/// One JSON object; null for what is not defined and for what was not asked for.
+std::string to_json(const Report& report);
+
+/// Aligned tables of what was asked for; a dash for what is not defined.
+std::string to_text(const Report& report);
+
+}  // namespace bspview
