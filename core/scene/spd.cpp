@@ -17,6 +17,7 @@ constexpr std::array generators{
     SpdGenerator{{"gears", 4}, count_gears, make_gears},
     SpdGenerator{{"jacks", 3}, count_jacks, make_jacks},
     SpdGenerator{{"lattice", 12}, count_lattice, make_lattice},
+    SpdGenerator{{"mount", 6}, count_mount, make_mount},
     SpdGenerator{{"nurbtst", 1, false}, count_nurbtst, make_nurbtst},
     SpdGenerator{{"rings", 7}, count_rings, make_rings},
     SpdGenerator{{"sample", 1, false}, count_sample, make_sample},

@@ -18,7 +18,10 @@ constexpr double tooth_degrees = 360.0 / teeth;
 constexpr double pitch_radius = 19.0, root_radius = 18.0, tip_radius = 19.9;
 constexpr double tip_half_degrees = 1.9, root_half_degrees = 2.0;
 
-constexpr double thickness = 0.4;  // of the distance between layers
+/// Thin enough that layers, which lie 1 / size apart, stay apart.
+double thickness(int size) {
+  return std::min(0.1, 0.5 / size);
+}
 
 using Rim = std::array<Vec3d, rim_vertices>;
 
@@ -78,15 +81,14 @@ void add_gear(Scene& scene, std::uint32_t material, const Rim& rim, const Placem
 
 void add_gears(Scene& scene, int size) {
   const double unit = 1.0 / (pitch_radius * size + 1.0);
-  const double layer_distance = 1.0 / size;
   const std::array<Rim, 2> rims{make_rim(0, unit), make_rim(1, unit)};
   const auto position = [&](int i) { return (2 * i + 1 - size) * pitch_radius * unit; };
   for (int z = 0; z < size; ++z) {
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
         const std::uint32_t material = add_material(scene, gear_material(x, y, z));
-        const Vec3d centre(position(x), position(y), 1.0 - z * layer_distance);
-        add_gear(scene, material, rims[(x + y + z) % 2], {centre, thickness * layer_distance});
+        const Vec3d centre(position(x), position(y), 1.0 - double(z) / size);
+        add_gear(scene, material, rims[(x + y + z) % 2], {centre, thickness(size)});
       }
     }
   }

@@ -55,9 +55,10 @@ double count_lattice(int size) {
 
 void make_lattice(Scene& scene, int size) {
   const double half_cell = 0.5 / size;
+  const double middle_cell = (size / 2 + 0.5) / size;
   scene.background = spd_sky;
-  scene.camera = {.from = {0.5 + half_cell, 1.0, 1.0 - half_cell},
-                  .at = {0.5 + half_cell, -1.0, -1.0 - half_cell},
+  scene.camera = {.from = {middle_cell, 1.0, 1.0 - half_cell},
+                  .at = {middle_cell, -1.0, -1.0 - half_cell},
                   .up = {0.2f, 1.0f, 0.0f},
                   .angle_degrees = 60.0f,
                   .hither = 0.0f};

@@ -9,7 +9,8 @@
 namespace bspview {
 namespace {
 
-constexpr double ring_radius = 0.930995, tube_radius = 0.07412;
+constexpr double tube_radius = 0.07412;
+constexpr double ring_radius = 1.0 / (1.0 + tube_radius);
 constexpr double spacing = 2.0;  // of the objects in a layer
 
 /// From layer to layer: the pyramid opens with the view's 45 degrees.
