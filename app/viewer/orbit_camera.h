@@ -39,7 +39,6 @@ class OrbitCamera {
   void reset();
 
  private:
-  Vec3d point_under(Vec2 pixel, float depth, PictureSize size) const;
   double depth_or_pivot(float depth) const;
   void keep_pivot_in_front(double depth);
 

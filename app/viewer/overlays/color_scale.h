@@ -1,13 +1,8 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/render/color_map.h"
 
 namespace bspview {
-
-/// RGBA of a Line: red in the lowest byte, not premultiplied; components in [0, 1], clamped.
-[[nodiscard]] std::uint32_t pack_color(Vec3 color, float alpha = 1.0f);
 
 /// How a value becomes a colour; compares by value.
 struct ColorScale {

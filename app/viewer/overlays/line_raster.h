@@ -23,8 +23,9 @@ struct LineView {
 /// Draws `lines` with anti-aliasing into a layer of the view's size.
 ///
 /// The ray of a pixel has a direction of length 1 along the view axis, so its t and a line's depth
-/// along that axis are the same measure. A line is hidden where it lies more than four pixel sides
-/// (at its own depth) behind the surface: lines on a surface stay whole.
+/// along that axis are the same measure. A line is hidden where it lies more than two pixel sides
+/// (at its own depth) behind the surface, in the pixel it runs through and in the two beside it:
+/// lines on a surface stay whole.
 ///
 /// Where lines cross, the more opaque one wins and the later one among equals, so hidden lines
 /// never pile up to a solid colour. The layer is the same for any number of threads. nullopt only

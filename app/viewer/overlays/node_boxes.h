@@ -3,10 +3,10 @@
 #include <optional>
 #include <stop_token>
 
+#include "app/viewer/overlays/box_pruning.h"
 #include "app/viewer/overlays/color_scale.h"
 #include "app/viewer/overlays/leaf_mask.h"
 #include "app/viewer/overlays/line_list.h"
-#include "app/viewer/overlays/screen_transform.h"
 #include "core/bsp/stats.h"
 
 namespace bspview {
@@ -26,13 +26,6 @@ struct NodeBoxStyle {
 
 /// Scale from 0 to the fullest leaf (logarithmic) or from 0 to the deepest leaf (linear).
 [[nodiscard]] ColorScale leaf_color_scale(const TreeStats& stats, LeafColor color_by, ColorMap map);
-
-/// What need not be drawn: subtrees outside the picture, and the inside of nodes that are smaller
-/// than `min_pixels` on screen (they are drawn as if they were leaves, with their greatest value).
-struct BoxPruning {
-  ScreenTransform transform;
-  float min_pixels = 1.0f;
-};
 
 /// The edges of the boxes of the shown leaves.
 ///

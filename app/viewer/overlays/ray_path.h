@@ -23,10 +23,14 @@ struct RayPathScene {
   const ScreenTransform& transform;  ///< gives the marks their size in pixels
 };
 
-/// Lines of the selected ray: the leaf cells it visits in order (colour from first to last), a mark
-/// at the entry and exit of each, outlines of the objects tested in them, the ray itself and its
-/// hit; the highlighted step's cell and objects stand out. The pixel's other rays are thin.
-/// Later lines are more important ones. O(rays + steps x depth + vertices of tested objects).
+/// RGBA, as in Line, of a kind of ray in the scene, in the table and in lists.
+[[nodiscard]] std::uint32_t ray_color(RayKind kind);
+
+/// Lines of the selected ray: the leaf cells that it visits (viridis from the first to the last),
+/// outlines of the objects tested there (each once; at most 1000), a mark where it enters and
+/// leaves each cell, the ray and a diamond at its hit. The cell of the highlighted step is white
+/// and thick, and so are the objects tested in it. The pixel's other rays are thin. Later lines
+/// matter more.
 [[nodiscard]] LineList ray_path_lines(const RayPathScene& world, std::span<const PathRay> rays,
                                       const RaySelection& selection);
 

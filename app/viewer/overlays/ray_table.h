@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,24 +13,25 @@ namespace bspview {
 struct RayTableRow {
   std::string step;      ///< "3", from 1
   std::string node;      ///< "17"
-  std::string kind;      ///< "both", "near", "far", "leaf"
-  std::string split;     ///< "x = 1.25", "" for leaves
-  std::string interval;  ///< "0.5 .. 1.75"
-  std::string tests;     ///< "2, hit 7 at 1.31", "" for inner nodes
+  std::string visits;    ///< inner nodes: the children, "near, far", "near", "far"; leaves: "leaf"
+  std::string split;     ///< "x = 1.25"; "" for leaves
+  std::string t_split;   ///< where the ray meets the plane: "1.31", "never"; "" for leaves
+  std::string interval;  ///< of the ray in the cell: "0.5 to 1.75"
+  std::string tests;     ///< "2, hits object 7 at 1.31"; "" for inner nodes
   bool operator==(const RayTableRow&) const = default;
 };
 
 /// Heads of the columns, in the order of RayTableRow.
-std::array<std::string_view, 6> ray_table_heads();
+std::array<std::string_view, 7> ray_table_heads();
 
 /// One row a step, in the order of the walk.
 [[nodiscard]] std::vector<RayTableRow> ray_table(const PathRay& ray);
 
-/// "1 eye ray: hits object 7 at t = 1.31" for lists that a ray is selected from; `index` counts
-/// from 0.
+/// "1 eye ray: hits object 7 at t = 1.31", for the list that a ray is selected from; `index`
+/// counts from 0.
 [[nodiscard]] std::string ray_title(const PathRay& ray, int index);
 
-/// "23 steps (9 leaves), 14 tests".
+/// "23 steps, 9 leaves, 14 tests".
 [[nodiscard]] std::string ray_summary(const PathRay& ray);
 
 }  // namespace bspview

@@ -1,0 +1,41 @@
+#include "app/viewer/overlays/node_cells.h"
+
+#include <algorithm>
+
+#include "core/base/check.h"
+
+namespace bspview {
+
+NodeCells::NodeCells(const Tree& tree) : tree_(tree), parents_(tree.nodes.size(), 0) {
+  for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
+    const Node& node = tree.nodes[i];
+    if (node.is_leaf()) continue;
+    parents_[node.left()] = i;
+    parents_[node.right()] = i;
+  }
+}
+
+std::vector<std::uint32_t> NodeCells::path(std::uint32_t node) const {
+  BSPVIEW_CHECK(node < parents_.size());
+  std::vector<std::uint32_t> nodes{node};
+  while (nodes.back() != 0) nodes.push_back(parents_[nodes.back()]);
+  std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+int NodeCells::depth(std::uint32_t node) const {
+  return static_cast<int>(path(node).size()) - 1;
+}
+
+Aabb NodeCells::cell(std::uint32_t node) const {
+  Aabb box = tree_.box;
+  const std::vector<std::uint32_t> nodes = path(node);
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const Node& parent = tree_.nodes[nodes[i]];
+    const Cells cells = split_cell(box, parent.axis(), parent.split());
+    box = nodes[i + 1] == parent.left() ? cells.left : cells.right;
+  }
+  return box;
+}
+
+}  // namespace bspview
