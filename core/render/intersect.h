@@ -19,11 +19,14 @@ struct Hit {
   explicit operator bool() const { return object != no_index; }
 };
 
-/// One-sided: opaque objects are seen from their front only (REFERENCE: rules of the SPD).
-enum class SideRule { two_sided, opaque_one_sided };
+/// Which sides of objects a ray sees. The SPD's rules make opaque objects one-sided. They leave
+/// open what shadow rays see of transparent ones; fronts only, so that nothing transparent shades
+/// its own inside, comes nearest to the published ray counts.
+enum class SideRule { two_sided, opaque_one_sided, one_sided };
 
 inline Sides visible_sides(const Scene& scene, const Object& object, SideRule rule) {
   if (rule == SideRule::two_sided || scene.two_sided) return Sides::both;
+  if (rule == SideRule::one_sided) return Sides::front;
   return scene.materials[object.material].transmittance > 0.0f ? Sides::both : Sides::front;
 }
 
@@ -45,10 +48,11 @@ inline ShapeHit hit_object(const Scene& scene, std::uint32_t id, const RayQuery&
   return hit_cone(ray, scene.cones[object.shape], sides);
 }
 
-/// How rays are traced: the walk and the side rule.
+/// How rays are traced: the walk, and what they see.
 struct TraceRules {
   Traversal traversal = Traversal::robust;
-  SideRule sides = SideRule::two_sided;
+  SideRule sides = SideRule::two_sided;         ///< closest_hit
+  SideRule shadow_sides = SideRule::two_sided;  ///< any_hit
   bool operator==(const TraceRules&) const = default;
 };
 
@@ -79,7 +83,7 @@ std::uint32_t any_hit(const World& world, const Ray& ray, const TraceRules& rule
   std::uint32_t blocker = no_index;
   const auto leaf = [&](std::uint32_t, const Node& node) {
     for (const std::uint32_t id : world.tree.objects_of(node)) {
-      const ShapeHit hit = hit_object(world.scene, id, query, rules.sides);
+      const ShapeHit hit = hit_object(world.scene, id, query, rules.shadow_sides);
       observer.test(id, hit.t != no_hit, hit.t);
       if (hit.t == no_hit) continue;
       blocker = id;

@@ -31,7 +31,8 @@ void for_each_tile(int width, int height, std::stop_token stop,
 int tile_count(int width, int height);
 
 inline TraceRules trace_rules(const RenderParams& params) {
-  return {params.traversal, params.spd_rules ? SideRule::opaque_one_sided : SideRule::two_sided};
+  if (!params.spd_rules) return {.traversal = params.traversal};
+  return {params.traversal, SideRule::opaque_one_sided, SideRule::one_sided};
 }
 
 }  // namespace bspview

@@ -99,8 +99,7 @@ Result<CountedImage> render_counted(const World& world, const Camera& camera,
 Result<Image> render_reference(const Scene& scene, const Camera& camera, const RenderParams& params,
                                std::stop_token stop) {
   return trace_image(
-      Job{scene, camera, params, stop},
-      [&] { return ReferenceTracer(scene, trace_rules(params).sides); },
+      Job{scene, camera, params, stop}, [&] { return ReferenceTracer(scene, trace_rules(params)); },
       [](ReferenceTracer&, int) {});
 }
 

@@ -113,15 +113,15 @@ class PathTracer {
 /// Every object, in double: what pictures are checked against.
 class ReferenceTracer {
  public:
-  ReferenceTracer(const Scene& scene, SideRule sides) : scene_(scene), sides_(sides) {}
+  ReferenceTracer(const Scene& scene, const TraceRules& rules) : scene_(scene), rules_(rules) {}
   Hit closest(const Ray& ray, RayKind, int);
   bool occluded(const Ray& ray, int level);
 
  private:
-  ShapeHit hit(std::uint32_t object, const RayQuery& ray) const;
+  ShapeHit hit(std::uint32_t object, const RayQuery& ray, SideRule sides) const;
 
   const Scene& scene_;
-  SideRule sides_;
+  TraceRules rules_;
 };
 
 }  // namespace bspview
