@@ -38,8 +38,10 @@ inline ShapeHit hit_object(const Scene& scene, std::uint32_t id, const RayQuery&
   switch (object.kind) {
     case ObjectKind::triangle:
       return hit_triangle(ray, &scene.vertices[scene.faces[object.shape].first_vertex], sides);
-    case ObjectKind::polygon:
-      return hit_polygon(ray, vertices_of(scene, scene.faces[object.shape]), sides);
+    case ObjectKind::polygon: {
+      const Face& face = scene.faces[object.shape];
+      return hit_polygon(ray, vertices_of(scene, face), scene.planes[face.plane], sides);
+    }
     case ObjectKind::sphere:
       return hit_sphere(ray, scene.spheres[object.shape], sides);
     case ObjectKind::cone:

@@ -21,11 +21,13 @@ Vec3d front_normal(const Scene& scene, const Object& object, Vec3d point) {
       const Vec3d outward = cone_normal(cone, point);
       return cone.base_radius < 0.0f || cone.apex_radius < 0.0f ? -outward : outward;
     }
-    case ObjectKind::triangle:
     case ObjectKind::polygon:
+      return glm::normalize(scene.planes[scene.faces[object.shape].plane].normal);
+    case ObjectKind::triangle:
       break;
   }
-  return glm::normalize(polygon_plane(vertices_of(scene, scene.faces[object.shape])).normal);
+  const Vec3* corners = &scene.vertices[scene.faces[object.shape].first_vertex];
+  return glm::normalize(triangle_normal(corners[0], corners[1], corners[2]));
 }
 
 /// The normals of a patch at the hit, interpolated.

@@ -123,6 +123,10 @@ void add_face(Scene& scene, std::uint32_t material, std::span<const Vec3> vertic
   if (!normals.empty()) face.first_normal = static_cast<std::uint32_t>(scene.normals.size());
   scene.vertices.insert(scene.vertices.end(), vertices.begin(), vertices.end());
   scene.normals.insert(scene.normals.end(), normals.begin(), normals.end());
+  if (vertices.size() > 3) {
+    face.plane = static_cast<std::uint32_t>(scene.planes.size());
+    scene.planes.push_back(polygon_plane(vertices));
+  }
   scene.faces.push_back(face);
   const auto kind = vertices.size() == 3 ? ObjectKind::triangle : ObjectKind::polygon;
   add_object(scene, kind, scene.faces.size(), material);

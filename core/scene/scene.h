@@ -11,6 +11,7 @@
 #include "core/scene/light.h"
 #include "core/scene/material.h"
 #include "core/shape/cone.h"
+#include "core/shape/polygon.h"
 #include "core/shape/sphere.h"
 
 namespace bspview {
@@ -21,9 +22,10 @@ inline constexpr std::uint32_t no_index = 0xffffffffu;
 
 /// Planar polygon, three or more vertices, concave allowed. A polygonal patch has normals, too.
 struct Face {
-  std::uint32_t first_vertex = 0;          ///< index into Scene::vertices
+  std::uint32_t first_vertex = 0;  ///< index into Scene::vertices
   std::uint32_t vertex_count = 0;
-  std::uint32_t first_normal = no_index;   ///< index into Scene::normals: one a vertex
+  std::uint32_t first_normal = no_index;  ///< index into Scene::normals: one a vertex
+  std::uint32_t plane = no_index;         ///< index into Scene::planes; polygons only
   bool operator==(const Face&) const = default;
 };
 
@@ -48,6 +50,7 @@ struct Scene {
   std::vector<Cone> cones;
   std::vector<Vec3> vertices;
   std::vector<Vec3> normals;
+  std::vector<PolygonPlane> planes;
   /// Opaque objects are seen from behind even under the SPD's one-sided rules (teapot).
   bool two_sided = false;
 
@@ -64,7 +67,8 @@ void add_face(Scene& scene, std::uint32_t material, std::span<const Vec3> vertic
 void add_sphere(Scene& scene, std::uint32_t material, const Sphere& sphere);
 void add_cone(Scene& scene, std::uint32_t material, const Cone& cone);
 
-/// How many objects of each kind; a patch is a triangle or polygon with normals and counts as patch.
+/// How many objects of each kind; a patch is a triangle or polygon with normals and counts as
+/// patch.
 struct ObjectCounts {
   std::size_t objects = 0, triangles = 0, polygons = 0, patches = 0, spheres = 0, cones = 0;
   bool operator==(const ObjectCounts&) const = default;
@@ -87,9 +91,9 @@ std::vector<Aabb> object_bounds(const Scene& scene);
 /// Union of all object boxes; empty for a scene without objects.
 Aabb scene_bounds(const Scene& scene);
 
-/// Nothing can be traced against such an object (a number that is NaN or beyond `max_coordinate`, no
-/// area, no length, radii of opposite signs): it is kept, since ids are record numbers, and is never
-/// hit.
+/// Nothing can be traced against such an object (a number that is NaN or beyond `max_coordinate`,
+/// no area, no length, radii of opposite signs): it is kept, since ids are record numbers, and is
+/// never hit.
 bool is_degenerate(const Scene& scene, std::uint32_t object);
 
 }  // namespace bspview

@@ -13,15 +13,23 @@ namespace {
 /// Whether the ray passes through the polygon: counts the edges that cross the positive x axis of
 /// the ray's plane. Signs of crossings are exact, since products of floats are, in double.
 bool encloses_ray(const RayQuery& ray, std::span<const Vec3> vertices) {
+  const auto is_above = [&](Vec3 vertex) {
+    return (vertex[ray.ky] - ray.origin[ray.ky]) -
+               ray.shear_y * (vertex[ray.kz] - ray.origin[ray.kz]) >
+           0.0f;
+  };
   bool inside = false;
-  Vec2 p = ray.project(vertices.back());
-  for (const Vec3& vertex : vertices) {
-    const Vec2 q = ray.project(vertex);
-    if ((p.y > 0.0f) != (q.y > 0.0f)) {
+  bool from_above = is_above(vertices.back());
+  const Vec3* from = &vertices.back();
+  for (const Vec3& to : vertices) {
+    const bool to_above = is_above(to);
+    if (from_above != to_above) {
+      const Vec2 p = ray.project(*from), q = ray.project(to);
       const double side = static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
-      if (q.y > p.y ? side > 0.0 : side < 0.0) inside = !inside;
+      if (to_above ? side > 0.0 : side < 0.0) inside = !inside;
     }
-    p = q;
+    from_above = to_above;
+    from = &to;
   }
   return inside;
 }
@@ -113,10 +121,11 @@ PolygonPlane polygon_plane(std::span<const Vec3> vertices) {
   return plane;
 }
 
-ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, Sides sides) {
-  if (!encloses_ray(ray, vertices)) return {};
-  const PolygonPlane plane = polygon_plane(vertices);
-  return {hit_plane(ray, plane.point, plane.normal, sides)};
+ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
+                     Sides sides) {
+  const double t = hit_plane(ray, plane.point, plane.normal, sides);
+  if (t == no_hit || !encloses_ray(ray, vertices)) return {};
+  return {t};
 }
 
 Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& cell) {

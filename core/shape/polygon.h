@@ -11,12 +11,14 @@ namespace bspview {
 /// vertices rounded off the plane do not favour one corner.
 struct PolygonPlane {
   Vec3d point, normal;
+  bool operator==(const PolygonPlane&) const = default;
 };
 PolygonPlane polygon_plane(std::span<const Vec3> vertices);
 
 /// Planar polygon, concave or self-overlapping (even-odd). A point on an edge belongs to exactly
 /// one of the two polygons that share it: meshes of polygons have neither gaps nor double hits.
-ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, Sides sides);
+ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
+                     Sides sides);
 
 /// Box of the part of a polygon (or triangle) inside `cell`, rounded outwards; empty when nothing
 /// is inside. Clipped in double with a margin, so that rounding only ever keeps too much.

@@ -16,8 +16,12 @@ using test::Random;
 /// An L of six corners in the plane z = 0: the square [0, 2]^2 without its upper right quarter.
 const std::vector<Vec3> ell{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
 
+double hit(const RayQuery& ray, std::span<const Vec3> vertices, Sides sides = Sides::both) {
+  return hit_polygon(ray, vertices, polygon_plane(vertices), sides).t;
+}
+
 double hit_at(float x, float y, std::span<const Vec3> vertices) {
-  return hit_polygon(RayQuery({{x, y, 1}, {0, 0, -1}}), vertices, Sides::both).t;
+  return hit(RayQuery({{x, y, 1}, {0, 0, -1}}), vertices);
 }
 
 TEST(Polygon, ConcaveCornerIsLeftOut) {
@@ -38,16 +42,15 @@ TEST(Polygon, EveryPointOfASharedEdgeBelongsToExactlyOne) {
     const Vec3 origin = Vec3(1, 0.5f, 0) + 2.0f * random.direction();
     if (std::abs(origin.z) < 0.1f) continue;
     const RayQuery ray({origin, target - origin});
-    const int hits = (hit_polygon(ray, left, Sides::both).t != no_hit) +
-                     (hit_polygon(ray, right, Sides::both).t != no_hit);
+    const int hits = (hit(ray, left) != no_hit) + (hit(ray, right) != no_hit);
     ASSERT_EQ(hits, 1) << "trial " << trial;
   }
 }
 
 TEST(Polygon, FrontIsWhereVerticesRunCounterClockwise) {
   const RayQuery above({{0.5f, 0.5f, 1}, {0, 0, -1}}), below({{0.5f, 0.5f, -1}, {0, 0, 1}});
-  EXPECT_EQ(hit_polygon(above, ell, Sides::front).t, 1.0);
-  EXPECT_EQ(hit_polygon(below, ell, Sides::front).t, no_hit);
+  EXPECT_EQ(hit(above, ell, Sides::front), 1.0);
+  EXPECT_EQ(hit(below, ell, Sides::front), no_hit);
 }
 
 TEST(Polygon, ClippedBoxHoldsEveryPointInsideTheCell) {
