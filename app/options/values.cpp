@@ -10,11 +10,11 @@ namespace bspview {
 namespace {
 
 /// The whole of `text` as a number.
-template <class T>
-std::optional<T> parse_number(std::string_view text) {
+template <class T, class... Format>
+std::optional<T> parse_number(std::string_view text, Format... format) {
   T value{};
   const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const auto [stop, error] = std::from_chars(text.data(), end, value, format...);
   if (error != std::errc() || stop != end) return std::nullopt;
   return value;
 }
@@ -37,7 +37,7 @@ std::optional<double> take_unit(std::string_view& text) {
 
 std::optional<std::size_t> parse_byte_size(std::string_view text) {
   const std::optional<double> unit = take_unit(text);
-  const std::optional<double> number = parse_number<double>(text);
+  const std::optional<double> number = parse_number<double>(text, std::chars_format::fixed);
   if (!unit || !number) return std::nullopt;
   const double bytes = *number * *unit;
   if (!(bytes >= 1.0 && bytes < std::ldexp(1.0, 63))) return std::nullopt;
@@ -52,6 +52,7 @@ std::optional<PictureSize> parse_picture_size(std::string_view text) {
   if (!width || !height) return std::nullopt;
   const auto in_range = [](int side) { return side >= 1 && side <= picture_side_cap; };
   if (!in_range(*width) || !in_range(*height)) return std::nullopt;
+  if (std::int64_t{*width} * *height > picture_pixel_cap) return std::nullopt;
   return PictureSize{*width, *height};
 }
 
@@ -61,8 +62,8 @@ CLI::Option* add_picture_size(CLI::App& app, const std::string& name,
     size = parse_picture_size(text);
     if (size) return;
     throw CLI::ValidationError(
-        name, fmt::format("'{}' is no size; write WIDTHxHEIGHT in pixels, each 1 to {}", text,
-                          picture_side_cap));
+        name, fmt::format("'{}' is no size; write WIDTHxHEIGHT in pixels, each 1 to {}, {} in all",
+                          text, picture_side_cap, picture_pixel_cap));
   };
   return app.add_option_function<std::string>(name, set)->type_name("WxH");
 }

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,8 +18,9 @@ struct PictureSize {
   bool operator==(const PictureSize&) const = default;
 };
 inline constexpr int picture_side_cap = 32768;
+inline constexpr std::int64_t picture_pixel_cap = std::int64_t{1} << 27;
 
-/// "640x480", both sides 1 to picture_side_cap.
+/// "640x480", both sides 1 to picture_side_cap, at most picture_pixel_cap in all.
 std::optional<PictureSize> parse_picture_size(std::string_view text);
 
 /// Options of `app` whose values are WxH, and on or off.

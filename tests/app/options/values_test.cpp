@@ -28,8 +28,9 @@ TEST(PictureSize, IsWidthTimesHeight) {
 }
 
 TEST(PictureSize, WhatIsNoSizeIsRefused) {
-  for (const char* text : {"", "640", "x", "640x", "x480", "0x480", "640x-1", "640X480",
-                           "640x480x3", "32769x1", "99999999999x1", " 640x480", "640 x 480"}) {
+  for (const char* text :
+       {"", "640", "x", "640x", "x480", "0x480", "640x-1", "640X480", "640x480x3", "32769x1",
+        "99999999999x1", "32768x32768", " 640x480", "640 x 480"}) {
     EXPECT_FALSE(parse_picture_size(text)) << text;
   }
 }

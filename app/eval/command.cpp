@@ -1,0 +1,52 @@
+#include "app/eval/command.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "core/base/file.h"
+#include "core/render/scene_tree.h"
+#include "core/scene/load.h"
+
+namespace bspview {
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
+                      bool& quiet) {
+  CLI::App* command = app.add_subcommand(name, description);
+  command->set_version_flag("--version", "bspeval " BSPVIEW_VERSION);
+  command->add_flag("-q,--quiet", quiet, "No progress on stderr");
+  return command;
+}
+
+void add_json(CLI::App& command, std::string& file) {
+  command.add_option("--json", file, "Write the results as one JSON object; - is stdout")
+      ->type_name("FILE|-");
+}
+
+CLI::Option* add_output(CLI::App& command, std::string& file, const std::string& description) {
+  return command.add_option("-o", file, description)->type_name("FILE")->required();
+}
+
+Result<void> write_output(const std::string& file, std::string_view bytes) {
+  if (file != "-") return write_file(file, bytes);
+  const std::size_t written = std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+  if (written == bytes.size() && std::fflush(stdout) == 0) return {};
+  return Error{fmt::format("standard output: cannot be written: {}", std::strerror(errno))};
+}
+
+Result<void> check_output(const std::string& file) {
+  if (file.empty() || file == "-") return {};
+  return check_writable(file);
+}
+
+Result<SceneAndTree> load_and_build(const TreeOptions& options) {
+  Result<Scene> scene = load_scene(options.scene);
+  if (!scene) return scene.error();
+  Result<Tree> tree = build_scene_tree(*scene, options.build);
+  if (!tree) return tree.error();
+  return SceneAndTree{*std::move(scene), *std::move(tree)};
+}
+
+}  // namespace bspview

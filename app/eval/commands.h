@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/eval/command.h"
+
+namespace bspview {
+
+/// Each adds its sub-command to `app`; `run` is set when the user chose it.
+void add_stats(CLI::App& app, Run& run);
+void add_render(CLI::App& app, Run& run);
+void add_cast(CLI::App& app, Run& run);
+void add_spd(CLI::App& app, Run& run);
+
+}  // namespace bspview

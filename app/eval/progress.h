@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+#include "core/base/timer.h"
+
+namespace bspview {
+
+/// How far some work is.
+struct ProgressState {
+  std::uint64_t done = 0, total = 0;
+  double seconds = 0.0;  ///< since its start
+};
+
+/// "rays [#####-----]  50 %  1.2 M/s  3 s left", at most 79 characters for a `what` of one word.
+std::string format_progress(const std::string& what, const ProgressState& state);
+
+/// A progress bar on stderr for work that takes longer than a moment; silent when stderr is no
+/// terminal or the user asked for quiet. Safe to call from several threads.
+class Progress {
+ public:
+  enum class Mode { shown, quiet };
+
+  Progress(std::string what, std::uint64_t total, Mode mode);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();  ///< takes the bar away
+
+  void add(std::uint64_t done);
+  void set(std::uint64_t done, std::uint64_t total);
+
+ private:
+  void draw();
+
+  std::string what_;
+  ProgressState state_;
+  bool shown_;
+  bool drawn_ = false;
+  double last_drawn_ = 0.0;  // seconds
+  Timer timer_;
+  std::mutex mutex_;
+};
+
+}  // namespace bspview

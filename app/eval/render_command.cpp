@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "app/eval/commands.h"
+#include "app/eval/progress.h"
+#include "app/options/values.h"
+#include "core/base/timer.h"
+#include "core/eval/report.h"
+#include "core/render/heatmap.h"
+#include "core/render/image_io.h"
+#include "core/scene/load.h"
+
+namespace bspview {
+namespace {
+
+struct RenderOptions {
+  TreeOptions tree;
+  RenderParams render;
+  std::optional<PictureSize> size;  // nullopt: that of the scene's camera
+  std::optional<Heat> heat;
+  bool reference = false;
+  int repeats = 1;
+  std::string output;
+  std::string json;
+  bool quiet = false;
+};
+
+RenderParams picture_params(const RenderOptions& options, const Camera& camera) {
+  RenderParams params = options.render;
+  params.width = options.size ? options.size->width : camera.width;
+  params.height = options.size ? options.size->height : camera.height;
+  params.traversal = options.tree.traversal;
+  params.threads = options.tree.build.threads;
+  return params;
+}
+
+Result<void> print_report(const Report& report, const std::string& json) {
+  if (!json.empty()) {
+    if (const auto written = write_output(json, to_json(report)); !written) return written;
+  }
+  return json == "-" ? Result<void>() : write_output("-", to_text(report));
+}
+
+Result<void> save_heat(const World& world, const RenderOptions& options,
+                       const RenderParams& params) {
+  const auto map = measure_heat(world, world.scene.camera, params, *options.heat);
+  if (!map) return map.error();
+  const HeatRange range = heat_range(*map);
+  if (const auto saved = save_image(color_heat(*map, range, ColorMap::viridis), options.output);
+      !saved) {
+    return saved;
+  }
+  fmt::print(stderr, "heat map: {} of the eye ray, viridis from {} to {}, largest {}\n",
+             name_of(*options.heat), range.low, range.high, range.largest);
+  return {};
+}
+
+Result<Lambda> measure_with_progress(const World& world, const RenderOptions& options,
+                                     const RenderParams& params) {
+  Progress progress("T_TR, T_TT", 1, options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
+  LambdaParams repeats;
+  repeats.build_repeats = options.repeats;
+  repeats.render_repeats = options.repeats;
+  repeats.replay_repeats = std::max(repeats.replay_repeats, options.repeats);
+  repeats.progress = [&](int done, int planned) {
+    progress.set(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(planned));
+  };
+  return measure_lambda(world, world.scene.camera, params, repeats);
+}
+
+/// The picture by brute force: no tree, so no Delta; T_TR is the time of this picture.
+Result<void> run_reference(const RenderOptions& options) {
+  const Result<Scene> scene = load_scene(options.tree.scene);
+  if (!scene) return scene.error();
+  const Timer timer;
+  const auto image =
+      render_reference(*scene, scene->camera, picture_params(options, scene->camera));
+  if (!image) return image.error();
+  Report report(*scene);
+  report.lambda = Lambda{.t_cb = {}, .t_tr = summarise({timer.seconds()}), .t_tt_share = {}};
+  if (const auto saved = save_image(*image, options.output); !saved) return saved;
+  return print_report(report, options.json);
+}
+
+Result<void> run_with_tree(const RenderOptions& options) {
+  const Result<SceneAndTree> built = load_and_build(options.tree);
+  if (!built) return built.error();
+  const World world{built->scene, built->tree};
+  const RenderParams params = picture_params(options, built->scene.camera);
+
+  const auto counted = render_counted(world, built->scene.camera, params);
+  if (!counted) return counted.error();
+  const auto saved =
+      options.heat ? save_heat(world, options, params) : save_image(counted->image, options.output);
+  if (!saved) return saved;
+  const auto lambda = measure_with_progress(world, options, params);
+  if (!lambda) return lambda.error();
+
+  Report report(built->scene);
+  report.seed = options.tree.seed;
+  report.tree = TreeReport(built->tree, options.tree.traversal);
+  report.rays = counted->counts;
+  report.delta = compute_delta(report.tree->stats, report.objects.objects, counted->counts);
+  report.lambda = *lambda;
+  return print_report(report, options.json);
+}
+
+Result<void> run_render(const RenderOptions& options) {
+  for (const std::string& file : {options.output, options.json}) {
+    if (const auto ready = check_output(file); !ready) return ready;
+  }
+  return options.reference ? run_reference(options) : run_with_tree(options);
+}
+
+std::string check_image_name(const std::string& file) {
+  if (is_image_name(file)) return "";
+  return fmt::format("'{}' ends neither in .png nor in .exr", file);
+}
+
+void set_heat(const std::string& name, std::optional<Heat>& heat) {
+  const auto found = std::ranges::find(heat_names(), name);
+  if (found == heat_names().end()) {
+    throw CLI::ValidationError(
+        "--heat", fmt::format("'{}' is none of {}", name, fmt::join(heat_names(), ", ")));
+  }
+  heat = static_cast<Heat>(found - heat_names().begin());
+}
+
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+  add_picture_size(command, "--size", options.size)
+      ->description("Pixels; default: as the scene's view says");
+  command.add_option("--spp", options.render.samples, "Rays a pixel")
+      ->check(CLI::Range(1, 65536).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option("--max-ray-depth", options.render.max_ray_depth,
+                  "Levels of rays; the eye ray is level 1")
+      ->check(CLI::Range(1, 64).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--spd-rules", options.render.spd_rules,
+                   "Rays through pixel corners, one-sided objects, every secondary ray");
+  command.add_option("--repeat", options.repeats, "Measure T_CB and T_TR at least N times")
+      ->check(CLI::Range(1, 100000).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--heat", [&options](const std::string& name) { set_heat(name, options.heat); },
+          "Write what each eye ray cost instead of what it saw")
+      ->type_name(fmt::format("{}", fmt::join(heat_names(), "|")));
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App* command =
+      add_command(app, "render", "Makes a picture and measures Delta and Lambda", options->quiet);
+  add_scene(*command, options->tree.scene)->required();
+  add_tree_options(*command, options->tree);
+  add_output(*command, options->output, "Picture to write, .png or .exr")
+      ->check(CLI::Validator(check_image_name, ""));
+  add_picture_options(*command, *options);
+  command
+      ->add_flag("--reference", options->reference,
+                 "Without a tree: every object for every ray, in double precision")
+      ->excludes("--heat");
+  add_json(*command, options->json);
+  command->callback([options, &run] { run = [options] { return run_render(*options); }; });
+}
+
+}  // namespace bspview
