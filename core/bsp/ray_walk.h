@@ -34,7 +34,8 @@ struct RayWalk {
     t_max = static_cast<float>(ray.t_max / scale);
   }
 
-  bool goes_right(int axis) const { return direction[axis] > 0.0f; }
+  /// By the sign of the reciprocal: beside a component of +0 every plane to the right is at +inf.
+  bool goes_right(int axis) const { return inverse[axis] > 0.0f; }
   float plane_distance(const Node& node) const {
     return (node.split() - origin[node.axis()]) * inverse[node.axis()];
   }

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/render/intersect.h"
+
+namespace bspview::test {
+
+/// The nearest hit by testing every object: the oracle of every tree and traversal.
+inline Hit brute_force(const Scene& scene, const Ray& ray, SideRule sides = SideRule::two_sided) {
+  const RayQuery query(ray);
+  Hit best;
+  for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
+    const ShapeHit hit = hit_object(scene, id, query, sides);
+    if (hit.t < best.t) best = {hit.t, id, hit.u, hit.v, no_leaf};
+  }
+  return best;
+}
+
+}  // namespace bspview::test
