@@ -17,6 +17,7 @@ using Patch = std::array<Row, 4>;  // u runs over the rows, v along a row
 struct Profile {
   struct Point {
     double radius, height;
+    double roundness = 0.56;  // length of the handles of Newell's quarter circles, in radii
   };
   std::array<Point, 4> points;
   double turn = -1.0;  // the quarters follow each other clockwise, or (1) counter-clockwise
@@ -25,7 +26,7 @@ struct Profile {
 constexpr Profile rim{{{{1.4, 2.4}, {1.3375, 2.53125}, {1.4375, 2.53125}, {1.5, 2.4}}}};
 constexpr Profile upper_body{{{{1.5, 2.4}, {1.75, 1.875}, {2.0, 1.35}, {2.0, 0.9}}}};
 constexpr Profile lower_body{{{{2.0, 0.9}, {2.0, 0.45}, {1.5, 0.225}, {1.5, 0.15}}}};
-constexpr Profile knob{{{{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}}}};
+constexpr Profile knob{{{{0.0, 3.15}, {0.8, 3.15, 0.5625}, {0.0, 2.85}, {0.2, 2.7}}}};
 constexpr Profile lid{{{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}}};
 constexpr Profile bottom{{{{0.0, 0.0}, {1.425, 0.0}, {1.5, 0.075}, {1.5, 0.15}}}, 1.0};
 
@@ -55,16 +56,11 @@ constexpr Tube upper_spout{{{{2.7, 2.4, 3.3, 2.4, 0.25},
                              {2.9, 2.475, 3.45, 2.5125, 0.15},
                              {2.8, 2.4, 3.2, 2.4, 0.15}}}};
 
-/// Newell's quarter circle, and the slightly rounder one of the knob's top.
-double quarter_circle(double radius) {
-  return radius == 0.8 ? 0.45 : 0.56 * radius;
-}
-
 void append_revolution(std::vector<Patch>& patches, const Profile& profile) {
   Patch patch;
   for (int row = 0; row < 4; ++row) {
-    const auto [r, z] = profile.points[row];
-    const double handle = quarter_circle(r), side = profile.turn;
+    const auto [r, z, roundness] = profile.points[row];
+    const double handle = roundness * r, side = profile.turn;
     patch[row] = {Vec3d(r, 0, z), Vec3d(r, side * handle, z), Vec3d(handle, side * r, z),
                   Vec3d(0, side * r, z)};
   }
