@@ -7,11 +7,13 @@
 
 namespace bspview {
 
+inline constexpr float max_line_width = 8.0f;  ///< pixels; wider lines are drawn so wide
+
 /// A straight line in world space.
 struct Line {
   Vec3 from{0.0f}, to{0.0f};
   std::uint32_t color = 0xffffffffu;  ///< RGBA, red in the lowest byte, not premultiplied
-  float width = 1.0f;                 ///< pixels
+  float width = 1.0f;                 ///< pixels, at most max_line_width
 };
 
 /// What an overlay hands to whoever draws it; where lines meet, later ones matter more.

@@ -12,8 +12,4 @@ std::uint32_t pack_color(Vec3 color, float alpha) {
   return byte(color.r) | byte(color.g) << 8 | byte(color.b) << 16 | byte(alpha) << 24;
 }
 
-std::uint32_t premultiply(std::uint32_t color) {
-  return scale_color(color | 0xff000000u, color >> 24);
-}
-
 }  // namespace bspview

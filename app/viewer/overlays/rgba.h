@@ -11,9 +11,6 @@ namespace bspview {
 /// Components in [0, 1], clamped; not premultiplied, as in a Line.
 [[nodiscard]] std::uint32_t pack_color(Vec3 color, float alpha = 1.0f);
 
-/// The same colour with its components multiplied by its alpha, as in a Layer.
-[[nodiscard]] std::uint32_t premultiply(std::uint32_t color);
-
 /// All four components times `factor` / 255, rounded to nearest.
 [[nodiscard]] inline std::uint32_t scale_color(std::uint32_t color, std::uint32_t factor) {
   // Two components at once: p / 255 = (p + p / 256 + 1/2) / 256 for every product p of two bytes.
@@ -22,6 +19,11 @@ namespace bspview {
     return (product + (product >> 8 & 0x00ff00ffu)) >> 8 & 0x00ff00ffu;
   };
   return scale_two(color & 0x00ff00ffu) | scale_two(color >> 8 & 0x00ff00ffu) << 8;
+}
+
+/// The same colour with its components multiplied by its alpha, as in a Layer.
+[[nodiscard]] inline std::uint32_t premultiply(std::uint32_t color) {
+  return scale_color(color | 0xff000000u, color >> 24);
 }
 
 /// Premultiplied `above` laid over premultiplied `below`.
