@@ -142,14 +142,20 @@ Json machine_json(const Machine& machine) {
 }  // namespace
 
 std::string to_json(const Report& report) {
-  const Json json{{"scene", scene_json(report)},
-                  {"build", build_json(report)},
-                  {"tree", tree_json(report)},
-                  {"delta", delta_json(report)},
-                  {"lambda", lambda_json(report)},
-                  {"rays", rays_json(report)},
-                  {"machine", machine_json(report.machine)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const Json sections{{"scene", scene_json(report)},
+                      {"build", build_json(report)},
+                      {"tree", tree_json(report)},
+                      {"delta", delta_json(report)},
+                      {"lambda", lambda_json(report)},
+                      {"rays", rays_json(report)},
+                      {"machine", machine_json(report.machine)}};
+  std::string text;
+  for (const auto& [name, section] : sections.items()) {
+    text += text.empty() ? "{\n" : ",\n";
+    text += "  \"" + name + "\": ";
+    text += section.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  return text + "\n}\n";
 }
 
 }  // namespace bspview

@@ -68,6 +68,18 @@ std::string delta_text(const Delta& delta) {
   return text;
 }
 
+/// Indented lines of at most 78 characters.
+std::string wrapped(std::string_view text) {
+  constexpr std::size_t width = 76;
+  std::string lines;
+  while (text.size() > width) {
+    const std::size_t end = text.rfind(' ', width);
+    lines += fmt::format("  {}\n", text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  return lines + fmt::format("  {}\n", text);
+}
+
 std::string lambda_text(const Lambda& lambda) {
   std::string text = "\nLambda\n";
   const auto values = values_of(lambda);
@@ -79,7 +91,7 @@ std::string lambda_text(const Lambda& lambda) {
     }
     text += "\n";
   }
-  if (lambda.t_tt_share) text += fmt::format("  {}\n", traversal_time_method());
+  if (lambda.t_tt_share) text += wrapped(traversal_time_method());
   return text;
 }
 
