@@ -7,16 +7,13 @@
 #include <string>
 #include <string_view>
 
+#include "app/picture_size.h"
+
 namespace bspview {
 
 /// "512M", "2G", "1.5GiB", "4096": bytes, with K, M, G and T the powers of 1024.
 std::optional<std::size_t> parse_byte_size(std::string_view text);
 
-/// Pixels.
-struct PictureSize {
-  int width = 0, height = 0;
-  bool operator==(const PictureSize&) const = default;
-};
 inline constexpr int picture_side_cap = 32768;
 inline constexpr std::int64_t picture_pixel_cap = std::int64_t{1} << 27;
 

@@ -1,15 +1,10 @@
 #pragma once
 
+#include "app/picture_size.h"
 #include "core/math/aabb.h"
 #include "core/scene/camera.h"
 
 namespace bspview {
-
-/// Size of the picture that the mouse moves in, pixels.
-struct PictureSize {
-  int width = 1, height = 1;
-  bool operator==(const PictureSize&) const = default;
-};
 
 /// The viewer's camera: turns about a pivot with the scene's up staying up. All movements are
 /// relative to the scene's size, so tiny and huge scenes feel alike. Pixel coordinates as in

@@ -30,18 +30,20 @@ void expect_tiling(const LayoutInput& input) {
 TEST(Layout, RegionsTileTheWindowAtEverySizeAndScale) {
   for (const Vec2 window : {Vec2(960, 600), Vec2(1280, 800), Vec2(3840, 2160), Vec2(320, 200)})
     for (const float scale : {0.75f, 1.0f, 2.0f, 3.0f})
-      expect_tiling({.window = window, .scale = scale, .bar_height = 22 * scale});
+      expect_tiling({.window = window, .scale = scale, .bar_height = 22 * scale, .splits = {}});
 }
 
 TEST(Layout, ThePictureKeepsAFifthOfTheWindowHoweverTheSplittersAreDragged) {
   for (const float width : {-100.0f, 0.0f, 1e6f}) {
-    const Layout layout = make_layout({.window = {960, 600}, .splits = {width, width, 0.4f}});
+    const Layout layout = make_layout(
+        {.window = {960, 600}, .scale = 1.0f, .bar_height = 22.0f, .splits = {width, width, 0.4f}});
     EXPECT_GE(layout.view.width, 0.19f * 960);
   }
 }
 
 TEST(Layout, WithoutPanelsThePictureFillsTheWindow) {
-  const Layout layout = make_layout({.window = {960, 600}, .panels = false});
+  const Layout layout = make_layout(
+      {.window = {960, 600}, .scale = 1.0f, .bar_height = 22.0f, .splits = {}, .panels = false});
   EXPECT_EQ(layout.view, (Rect{0, 0, 960, 600}));
   EXPECT_EQ(layout.menu, Rect{});
 }

@@ -1,0 +1,228 @@
+#include "app/viewer/app.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/viewer/panels/panels.h"
+
+namespace bspview {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto patience = 40ms;     // see Stage: a dropped build or picture ends within it
+constexpr auto rest_after = 150ms;  // without motion of the camera
+
+}  // namespace
+
+App::App(State state, std::function<void()> wake)
+    : state_(std::move(state)),
+      history_(setting()),
+      last_setting_(setting()),
+      scenes_(open_scene, wake),
+      trees_(grow_tree, wake, patience),
+      pictures_(PictureWork{}, wake, patience),
+      paths_(follow_rays, wake, patience),
+      overlays_(OverlayWork{}, wake, patience),
+      measures_(take_times, wake) {}
+
+void App::frame(Interface& interface, const WindowSize& size) {
+  advance();
+  widgets_.clear();
+  const Ui ui{interface.fonts(), interface.palette(), interface.scale(), widgets_};
+  const Vec2 window(static_cast<float>(size.width), static_cast<float>(size.height));
+  for (const Action action : pressed_actions(ImGui::GetIO())) perform(action);
+  std::vector<Action> chosen;
+  draw_panels(ui, window, results_, state_, chosen);
+  for (const Action action : chosen) perform(action);
+  view_ = layout_for(ui, window, state_).view;
+  const float pixels_per_unit = static_cast<float>(size.pixel_width) / window.x;
+  state_.view.size = {std::max(1, static_cast<int>(std::lround(view_.width * pixels_per_unit))),
+                      std::max(1, static_cast<int>(std::lround(view_.height * pixels_per_unit)))};
+  watch_camera();
+  watch_edits();
+  advance();
+}
+
+void App::perform(Action action) {
+  const std::size_t objects = results_.scene ? results_.scene->counts.objects : 0;
+  if (change_state(action, state_, objects)) return;
+  switch (action) {
+    case Action::undo:
+      return restore(history_.undo());
+    case Action::redo:
+      return restore(history_.redo());
+    case Action::frame:
+      if (state_.view.camera) state_.view.camera->frame(state_.view.size);
+      return;
+    case Action::reset:
+      if (state_.view.camera) state_.view.camera->reset();
+      return;
+    case Action::quit:
+      quit_ = true;
+      return;
+    case Action::full_screen:
+      full_screen_ = true;
+      return;
+    case Action::screenshot:
+      screenshot_ = true;
+      return;
+    default:
+      return;
+  }
+}
+
+void App::open(const std::string& source) {
+  state_.source = state_.source_text = source;
+  ++state_.load_attempt;
+}
+
+bool App::busy() const {
+  return scenes_.busy() || trees_.busy() || pictures_.busy() || paths_.busy() || overlays_.busy() ||
+         measures_.busy();
+}
+
+bool App::restless() const {
+  return moving() || trees_.overdue() || pictures_.overdue() || paths_.overdue() ||
+         overlays_.overdue();
+}
+
+/// Why is it recomputing: here.
+void App::advance() {
+  scenes_.want(SceneRequest{state_.source, state_.load_attempt});
+  want_tree();
+  watch_scene();
+  want_picture();
+  if (trees_.value() && state_.pick)
+    paths_.want(PathRequest{trees_.value(), render_params(1), *state_.pick});
+  else
+    paths_.want(std::nullopt);
+  want_overlay();
+  want_measures();
+  show_results();
+}
+
+void App::want_tree() {
+  if (scenes_.value())
+    trees_.want(TreeRequest{scenes_.value(), state_.build});
+  else
+    trees_.want(std::nullopt);
+}
+
+void App::want_picture() {
+  if (trees_.value() && state_.view.camera && state_.view.size.width > 1)
+    pictures_.want(PictureRequest{trees_.value(), state_.view.camera->camera(),
+                                  render_params(state_.picture.samples)});
+  else
+    pictures_.want(std::nullopt);
+}
+
+void App::want_overlay() {
+  const std::shared_ptr<const Picture>& picture = pictures_.value();
+  const bool path = state_.path_visible && paths_.value();
+  if (!picture || (!state_.boxes.visible && !path)) return overlays_.want(std::nullopt);
+  const RenderParams& params = picture->request.params;
+  OverlayRequest request{.tree = picture->request.tree,
+                         .first_hits = picture->first_hits,
+                         .camera = picture->request.camera,
+                         .width = params.width,
+                         .height = params.height,
+                         .boxes = std::nullopt,
+                         .rays = paths_.value(),
+                         .path_visible = path,
+                         .selection = state_.ray,
+                         .line_width = state_.look.scale,
+                         .moving = moving()};
+  if (state_.boxes.visible) request.boxes = state_.boxes;
+  if (state_.hovered_step) request.selection.step = *state_.hovered_step;
+  overlays_.want(request);
+}
+
+void App::want_measures() {
+  const std::shared_ptr<const Picture>& picture = pictures_.value();
+  const bool at_rest = picture && !pictures_.busy() && !trees_.busy() && !moving();
+  if (at_rest && state_.measure_times)
+    measures_.want(
+        MeasureRequest{picture->request.tree, picture->request.camera, render_params(1)});
+  else
+    measures_.want(std::nullopt);
+}
+
+void App::show_results() {
+  results_.scene = scenes_.value();
+  results_.scene_error = scenes_.error();
+  results_.scene_busy = scenes_.busy();
+  results_.tree = trees_.value();
+  results_.tree_error = trees_.error();
+  results_.tree_busy = trees_.busy();
+  results_.picture = pictures_.value();
+  results_.picture_busy = pictures_.busy();
+  results_.rays = paths_.value();
+  results_.overlay = overlays_.value();
+  results_.measures_busy = measures_.busy();
+  if (results_.tree)
+    comparison_.update(evaluate(*results_.tree, results_.picture.get(), measures_.value().get()));
+  results_.now = comparison_.now();
+  results_.before = comparison_.before();
+}
+
+/// A new scene is seen as its file says, once its tree is there.
+void App::watch_scene() {
+  if (!trees_.value() || trees_.value()->request.scene == camera_scene_) return;
+  camera_scene_ = trees_.value()->request.scene;
+  const PictureSize size = state_.view.size;
+  state_.view = View();
+  state_.view.camera = OrbitCamera(camera_scene_->scene.camera, camera_scene_->bounds);
+  state_.view.size = size;
+  state_.pick.reset();
+  state_.ray = {};
+  if (state_.pick_at_start) pick_at_start(*std::exchange(state_.pick_at_start, std::nullopt));
+}
+
+void App::pick_at_start(Pixel pixel) {
+  const PictureSize size = state_.view.size;
+  pixel.column = std::min(pixel.column, size.width - 1);
+  pixel.row = std::min(pixel.row, size.height - 1);
+  state_.pick = Pick{pixel, state_.view.camera->camera(), size.width, size.height};
+}
+
+void App::watch_camera() {
+  const std::optional<Camera> camera =
+      state_.view.camera ? std::optional(state_.view.camera->camera()) : std::nullopt;
+  if (camera && last_camera_ && *camera != *last_camera_) last_motion_ = Clock::now();
+  last_camera_ = camera;
+}
+
+/// An edit lasts for as long as its widget is held.
+void App::watch_edits() {
+  if (setting() != last_setting_ && !editing_) {
+    comparison_.begin_edit();
+    editing_ = true;
+  }
+  last_setting_ = setting();
+  if (ImGui::IsAnyItemActive()) return;
+  editing_ = false;
+  history_.commit(setting());
+}
+
+bool App::moving() const {
+  return Clock::now() - last_motion_ < rest_after;
+}
+
+void App::restore(const Setting& setting) {
+  state_.build = setting.build;
+  state_.picture.traversal = setting.traversal;
+}
+
+RenderParams App::render_params(int samples) const {
+  return {.width = state_.view.size.width,
+          .height = state_.view.size.height,
+          .samples = samples,
+          .max_ray_depth = state_.picture.max_ray_depth,
+          .spd_rules = false,
+          .traversal = state_.picture.traversal,
+          .threads = state_.picture.threads};
+}
+
+}  // namespace bspview

@@ -1,0 +1,152 @@
+#include "app/viewer/panels/build_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/viewer/panels/numbers.h"
+#include "app/viewer/panels/scopes.h"
+#include "app/viewer/panels/widgets.h"
+#include "core/bsp/traversal.h"
+
+namespace bspview {
+namespace {
+
+constexpr int largest_leaf_size = 64;
+constexpr float mib = 1024.0f * 1024.0f;
+
+std::size_t object_count(const Results& results) {
+  return results.scene ? results.scene->counts.objects : 0;
+}
+
+bool has_costs(Builder builder) {
+  return builder == Builder::mb || builder == Builder::sah;
+}
+
+DisabledScope::When disabled(bool off) {
+  return off ? DisabledScope::When::always : DisabledScope::When::never;
+}
+
+void builder_row(const Ui& ui, BuildParams& params) {
+  int builder = static_cast<int>(params.builder);
+  if (combo_row(ui,
+                {"build.builder", "Builder",
+                 "naive: no tree, every ray against every object\n"
+                 "median: the paper's, mid-point of the axes in turn\n"
+                 "median-longest: mid-point of the longest axis\n"
+                 "object-median: as many objects on either side\n"
+                 "mb: MacDonald and Booth's search between both medians\n"
+                 "sah: the cheapest of all planes by the surface area heuristic"},
+                builder_names(), builder))
+    params.builder = static_cast<Builder>(builder);
+}
+
+void depth_row(const Ui& ui, const Results& results, BuildParams& params) {
+  int depth = effective_depth(params, object_count(results));
+  if (slider_row(ui,
+                 {"build.max_depth", "Maximal depth",
+                  "A node at this depth becomes a leaf. The root has depth 0. Keys [ and ]"},
+                 depth, {0, depth_cap, params.max_depth ? "%d" : "%d (automatic)"}))
+    params.max_depth = depth;
+}
+
+void automatic_depth_row(const Ui& ui, const Results& results, BuildParams& params) {
+  bool automatic = !params.max_depth;
+  if (!check_row(ui,
+                 {"build.auto_depth", "Automatic depth",
+                  "round(8 + 1.3 log2 N) for N objects, as in pbrt"},
+                 automatic))
+    return;
+  const int depth = effective_depth(params, object_count(results));
+  params.max_depth = automatic ? std::nullopt : std::optional(depth);
+}
+
+void clip_row(const Ui& ui, BuildParams& params) {
+  BuildParams automatic = params;
+  automatic.clip.reset();
+  const std::string by_itself =
+      fmt::format("automatic ({})", effective_clip(automatic) ? "on" : "off");
+  const std::array<std::string_view, 3> names{by_itself, "on", "off"};
+  int index = params.clip ? (*params.clip ? 1 : 2) : 0;
+  if (combo_row(ui,
+                {"build.clip", "Clipping",
+                 "On: an object is in a cell only when its part inside the cell is not empty "
+                 "(perfect splits). Off: the object's own box decides."},
+                names, index))
+    params.clip = index == 0 ? std::nullopt : std::optional(index == 1);
+}
+
+void cost_rows(const Ui& ui, BuildParams& params) {
+  const DisabledScope scope(disabled(!has_costs(params.builder)));
+  slider_row(ui,
+             {"build.cost_traversal", "Cost C_T",
+              "Of visiting an inner node; only the ratio to "
+              "the cost of a test matters."},
+             params.cost_traversal, {0.0f, 20.0f, "%.2f"});
+  slider_row(ui, {"build.cost_intersection", "Cost C_I", "Of testing one object against a ray."},
+             params.cost_intersection, {0.0f, 80.0f, "%.2f"});
+  slider_row(ui,
+             {"build.empty_bonus", "Empty bonus",
+              "Share of the cost that a split with one empty side is spared."},
+             params.empty_bonus, {0.0f, 0.95f, "%.2f"});
+}
+
+void memory_row(const Ui& ui, BuildParams& params) {
+  float limit = static_cast<float>(params.memory_limit) / mib;
+  if (slider_row(ui,
+                 {"build.memory_limit", "Memory limit",
+                  "For nodes and references. When it is spent, nodes become leaves."},
+                 limit, {1.0f, 16384.0f, "%.0f MiB", true}))
+    params.memory_limit = static_cast<std::size_t>(std::round(limit)) * std::size_t{1 << 20};
+}
+
+void traversal_row(const Ui& ui, PictureSettings& picture) {
+  int traversal = static_cast<int>(picture.traversal);
+  if (combo_row(ui,
+                {"build.traversal", "Traversal",
+                 "sung-shirley: as published in Graphics Gems III\n"
+                 "havran: his TA-B, by the cases of the ray's entry and exit\n"
+                 "robust: intervals rounded outwards, no hit is lost"},
+                traversal_names(), traversal))
+    picture.traversal = static_cast<Traversal>(traversal);
+}
+
+void summary(const Ui& ui, const Results& results) {
+  if (results.tree_error) wrapped_text(ui, results.tree_error->message, ui.palette.problem);
+  if (!results.tree) return;
+  const TreeStats& stats = results.tree->stats;
+  const std::string text =
+      fmt::format("{}, deepest {}, {}", counted(stats.leaves, "leaf", "leaves"), stats.deepest_leaf,
+                  memory(static_cast<double>(results.tree->tree.bytes())));
+  wrapped_text(ui, text, ui.palette.dim_text);
+  if (results.tree->tree.memory_limit_reached)
+    wrapped_text(ui, "The memory limit made leaves of nodes that would have been split.",
+                 ui.palette.worse);
+}
+
+}  // namespace
+
+void build_panel(const Ui& ui, const Results& results, State& state) {
+  if (!section(ui, "Build", state.look.closed_sections)) return;
+  const IdScope id("build");
+  BuildParams& params = state.build;
+  builder_row(ui, params);
+  {
+    const DisabledScope scope(disabled(params.builder == Builder::naive));
+    depth_row(ui, results, params);
+    automatic_depth_row(ui, results, params);
+    slider_row(ui,
+               {"build.leaf_size", "Leaf size",
+                "A node with at most as many objects becomes a leaf. Keys { and }"},
+               params.leaf_size, {1, largest_leaf_size, "%d", true});
+    clip_row(ui, params);
+    cost_rows(ui, params);
+    memory_row(ui, params);
+  }
+  traversal_row(ui, state.picture);
+  summary(ui, results);
+}
+
+}  // namespace bspview

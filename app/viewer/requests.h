@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/viewer/overlays/layer.h"
+#include "app/viewer/overlays/node_cells.h"
+#include "app/viewer/state.h"
+#include "core/bsp/stats.h"
+#include "core/eval/lambda.h"
+#include "core/render/render.h"
+#include "core/scene/scene.h"
+
+namespace bspview {
+
+// What the stages are asked for and what they answer. A request holds the results it starts from,
+// so that a new scene makes a new tree request, that a new picture request, and so on.
+
+struct SceneRequest {
+  std::string source;
+  int attempt = 0;
+  bool operator==(const SceneRequest&) const = default;
+};
+struct LoadedScene {
+  std::string source;
+  Scene scene;
+  ObjectCounts counts;
+  Aabb bounds;
+};
+
+struct TreeRequest {
+  std::shared_ptr<const LoadedScene> scene;
+  BuildParams params;
+  bool operator==(const TreeRequest&) const = default;
+};
+struct BuiltTree {
+  BuiltTree(const TreeRequest& of, Tree&& built);
+  TreeRequest request;
+  Tree tree;
+  TreeStats stats;
+  NodeCells cells;  // of `tree`
+
+  World world() const { return {request.scene->scene, tree}; }
+};
+
+struct PictureRequest {
+  std::shared_ptr<const BuiltTree> tree;
+  Camera camera;
+  RenderParams params;
+  bool operator==(const PictureRequest&) const = default;
+};
+/// Where the rays through the pixel centres ended; row-major, top row first. See Frame.
+struct FirstHits {
+  std::vector<float> distance;
+  std::vector<std::uint32_t> object, leaf;
+};
+struct Picture {
+  PictureRequest request;
+  std::shared_ptr<const std::vector<std::uint32_t>> pixels;  ///< RGBA8, red in the lowest byte
+  int pixels_pass = 0;        ///< the pass they are of; more than `pass` when kept from before
+  bool pixels_final = false;  ///< no later pass will change them
+  std::shared_ptr<const FirstHits> first_hits;
+  int pass = 0, pass_count = 0;
+  double seconds = 0.0;
+  RayCounts counts;
+  bool counted = false;
+
+  bool converged() const { return pass == pass_count; }
+};
+
+struct PathRequest {
+  std::shared_ptr<const BuiltTree> tree;
+  RenderParams params;
+  Pick pick;
+  bool operator==(const PathRequest&) const = default;
+};
+using PixelRays = std::vector<PathRay>;
+
+struct OverlayRequest {
+  std::shared_ptr<const BuiltTree> tree;
+  std::shared_ptr<const FirstHits> first_hits;
+  Camera camera;
+  int width = 0, height = 0;
+  std::optional<BoxView> boxes;
+  std::shared_ptr<const PixelRays> rays;  ///< nullptr: no path
+  bool path_visible = false;
+  RaySelection selection;
+  float line_width = 1.0f;  ///< pixels
+  bool moving = false;      ///< thin the boxes out to a time budget
+  bool operator==(const OverlayRequest&) const = default;
+};
+struct Overlay {
+  OverlayRequest request;
+  Layer layer;
+  std::size_t lines = 0;
+  double seconds = 0.0;
+};
+
+struct MeasureRequest {
+  std::shared_ptr<const BuiltTree> tree;
+  Camera camera;
+  RenderParams params;
+  bool operator==(const MeasureRequest&) const = default;
+};
+struct Measures {
+  MeasureRequest request;
+  Lambda lambda;
+};
+
+}  // namespace bspview

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/viewer/viewer_options.h"
+#include "core/base/result.h"
+
+namespace bspview {
+
+/// Saves one converged frame without any window.
+Result<void> run_screenshot(const ViewerOptions& options, State state);
+
+}  // namespace bspview

@@ -1,0 +1,54 @@
+#include "app/viewer/work.h"
+
+#include <utility>
+
+#include "core/render/scene_tree.h"
+#include "core/scene/load.h"
+
+namespace bspview {
+
+BuiltTree::BuiltTree(const TreeRequest& of, Tree&& built)
+    : request(of), tree(std::move(built)), stats(tree_stats(tree)), cells(tree) {}
+
+Result<void> open_scene(const SceneRequest& request, std::stop_token,
+                        const Publish<LoadedScene>& publish) {
+  Result<Scene> scene = load_scene(request.source);
+  if (!scene) return scene.error();
+  auto loaded = std::make_shared<LoadedScene>();
+  loaded->source = request.source;
+  loaded->counts = count_objects(*scene);
+  loaded->bounds = scene_bounds(*scene);
+  loaded->scene = *std::move(scene);
+  publish(std::move(loaded));
+  return {};
+}
+
+Result<void> grow_tree(const TreeRequest& request, std::stop_token stop,
+                       const Publish<BuiltTree>& publish) {
+  Result<Tree> tree = build_scene_tree(request.scene->scene, request.params, stop);
+  if (!tree) return tree.error();
+  publish(std::make_shared<const BuiltTree>(request, *std::move(tree)));
+  return {};
+}
+
+Result<void> follow_rays(const PathRequest& request, std::stop_token,
+                         const Publish<PixelRays>& publish) {
+  const Pick& pick = request.pick;
+  RenderParams params = request.params;
+  params.width = pick.width;
+  params.height = pick.height;
+  publish(std::make_shared<const PixelRays>(
+      trace_pixel(request.tree->world(), pick.camera, params, pick.pixel.centre())));
+  return {};
+}
+
+Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
+                        const Publish<Measures>& publish) {
+  Result<Lambda> lambda =
+      measure_lambda(request.tree->world(), request.camera, request.params, LambdaParams{}, stop);
+  if (!lambda) return lambda.error();
+  publish(std::make_shared<const Measures>(Measures{request, *std::move(lambda)}));
+  return {};
+}
+
+}  // namespace bspview
