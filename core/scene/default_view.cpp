@@ -1,5 +1,7 @@
 #include "core/scene/default_view.h"
 
+#include <cmath>
+
 namespace bspview {
 
 Camera make_default_view(const Aabb& bounds) {
@@ -13,7 +15,9 @@ Light make_default_light(const Camera& camera) {
   const Vec3 up = glm::normalize(camera.up);
   const Vec3 left = glm::cross(up, 0.25f * view);
   const Vec3 position = camera.from + height * up + left;
-  return {.position = position == position ? position : camera.from};
+  // Not so for an up vector without direction.
+  const bool finite = std::isfinite(position.x + position.y + position.z);
+  return {.position = finite ? position : camera.from};
 }
 
 }  // namespace bspview

@@ -50,7 +50,7 @@ struct Corners {
 };
 
 /// Makes room for as many vertices, each of `numbers` numbers, as the next token says.
-bool read_vertex_count(TokenReader& tokens, int numbers, Corners& corners) {
+bool read_vertex_count(TokenReader& tokens, std::int64_t numbers, Corners& corners) {
   std::int64_t count = 0;
   if (!tokens.read_count(count, 3, "the number of vertices")) return false;
   // A number takes a space and a digit: so the rest of the file bounds the count.
