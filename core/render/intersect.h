@@ -61,7 +61,7 @@ struct TraceRules {
 /// Nearest hit of `ray` in its interval.
 template <class Observer>
 Hit closest_hit(const World& world, const Ray& ray, const TraceRules& rules, Observer& observer) {
-  const RayQuery query(ray);
+  const RayQuery query(ray, reach_of(world.tree.box, ray.origin));
   Hit best;
   const auto leaf = [&](std::uint32_t, const Node& node) {
     for (const std::uint32_t id : world.tree.objects_of(node)) {
@@ -81,7 +81,7 @@ Hit closest_hit(const World& world, const Ray& ray, const TraceRules& rules, Obs
 template <class Observer>
 std::uint32_t any_hit(const World& world, const Ray& ray, const TraceRules& rules,
                       Observer& observer) {
-  const RayQuery query(ray);
+  const RayQuery query(ray, reach_of(world.tree.box, ray.origin));
   std::uint32_t blocker = no_index;
   const auto leaf = [&](std::uint32_t, const Node& node) {
     for (const std::uint32_t id : world.tree.objects_of(node)) {

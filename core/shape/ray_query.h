@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/aabb.h"
+#include "core/math/float_error.h"
 #include "core/math/ray.h"
 
 namespace bspview {
@@ -23,8 +25,14 @@ struct ShapeHit {
 /// A ray with what every shape test needs, computed once. Shapes report only hits with
 /// t_min < t < t_max.
 struct RayQuery {
-  explicit RayQuery(const Ray& ray)
-      : origin(ray.origin), direction(ray.direction), t_min(ray.t_min), t_max(ray.t_max) {
+  /// `reach` bounds |p - origin| on every axis for every vertex p the ray will be tested against;
+  /// without it no rounding can be bounded and every test is decided exactly, slowly.
+  explicit RayQuery(const Ray& ray, float reach = std::numeric_limits<float>::infinity())
+      : origin(ray.origin),
+        direction(ray.direction),
+        t_min(ray.t_min),
+        t_max(ray.t_max),
+        reach_error(reach * unit_roundoff) {
     const Vec3 size = glm::abs(direction);
     kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     kx = kz == 2 ? 0 : kz + 1;
@@ -33,7 +41,9 @@ struct RayQuery {
     shear_y = direction[ky] / direction[kz];
   }
 
-  /// `point` seen along the ray: the ray itself is the origin of the plane.
+  /// `point` seen along the ray: the ray itself is the origin of the plane. Rounding moves it by
+  /// less than 8 reach_error on either axis: one unit for each difference of coordinates, three
+  /// for the product, two for the last difference, which is at most 2 reach.
   Vec2 project(Vec3 point) const {
     const Vec3 p = point - origin;
     return {p[kx] - shear_x * p[kz], p[ky] - shear_y * p[kz]};
@@ -42,8 +52,14 @@ struct RayQuery {
 
   Vec3 origin, direction;
   double t_min, t_max;
-  int kx, ky, kz;  ///< kz: axis of the largest component of the direction
+  float reach_error;  ///< reach x unit round-off
+  int kx, ky, kz;     ///< kz: axis of the largest component of the direction
   float shear_x, shear_y;
 };
+
+/// `reach` of a RayQuery against everything inside `box`.
+inline float reach_of(const Aabb& box, Vec3 origin) {
+  return largest_component(glm::max(glm::abs(box.lo - origin), glm::abs(box.hi - origin)));
+}
 
 }  // namespace bspview

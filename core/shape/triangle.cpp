@@ -1,6 +1,71 @@
 #include "core/shape/triangle.h"
 
+#include <algorithm>
+#include <array>
+
+#include "core/math/exact.h"
+
 namespace bspview {
+namespace {
+
+/// Sum of the magnitudes of the components.
+double size_of(Vec3d v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+bool is_finite(const Vec3* vertices) {
+  const Vec3 zero = 0.0f * (vertices[0] + vertices[1] + vertices[2]);
+  return zero == Vec3(0.0f);
+}
+
+}  // namespace
+
+double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides) {
+  const Vec3d edge1 = Vec3d(vertices[1]) - Vec3d(vertices[0]);
+  const Vec3d edge2 = Vec3d(vertices[2]) - Vec3d(vertices[0]);
+  const Vec3d way = Vec3d(vertices[0]) - Vec3d(ray.origin);
+  const Vec3d normal = glm::cross(edge1, edge2);
+  double slope = glm::dot(normal, Vec3d(ray.direction));
+  const double height = glm::dot(normal, way);
+  double t = height / slope;
+
+  // Both are off by less than 2^-49 of the product of the sizes: t keeps 2^-24 where slope is not
+  // below 2^-25 of it, and its sign where height is not below 2^-49.
+  const double area_size = size_of(edge1) * size_of(edge2);
+  const bool slope_is_open = std::abs(slope) < 0x1p-25 * area_size * size_of(Vec3d(ray.direction));
+  const bool sign_is_open = std::abs(height) < 0x1p-49 * area_size * size_of(way);
+  if (slope_is_open || sign_is_open) {
+    slope = exact_slope_sign(ray.direction, vertices);
+    if (slope == 0.0) return no_hit;
+    t = exact_plane_distance(ray.origin, ray.direction, vertices);
+  }
+  if (sides == Sides::front && slope > 0.0) return no_hit;
+  return ray.accepts(t) ? t : no_hit;
+}
+
+ShapeHit hit_triangle_exactly(const RayQuery& ray, const Vec3* vertices, Sides sides) {
+  if (!is_finite(vertices)) return {};
+  const auto side = [&](int from, int to) {
+    return side_of_edge(ray.origin, ray.direction, vertices[from], vertices[to]);
+  };
+  const int u = side(2, 1), v = side(0, 2), w = side(1, 0);
+  const auto [least, most] = std::minmax({u, v, w});
+  if (least < 0 && most > 0) return {};
+  if (least == 0 && most == 0) return {};
+
+  const double t = hit_triangle_plane(ray, vertices, sides);
+  if (t == no_hit) return {};
+  // The weights only place a point inside: rounded ones do, kept within the triangle.
+  const Vec2 a = ray.project(vertices[0]), b = ray.project(vertices[1]),
+             c = ray.project(vertices[2]);
+  const std::array<float, 3> areas{edge_area(c, b), edge_area(a, c), edge_area(b, a)};
+  const float area = areas[0] + areas[1] + areas[2];
+  const auto weight = [&](float part) {
+    return area == 0.0f ? 1.0f / 3.0f : std::clamp(part / area, 0.0f, 1.0f);
+  };
+  const float second = weight(areas[1]);
+  return {t, second, std::min(weight(areas[2]), 1.0f - second)};
+}
 
 ShapeHit hit_triangle_double(const RayQuery& ray, const Vec3* vertices, Sides sides) {
   const Vec3d edge1 = Vec3d(vertices[1]) - Vec3d(vertices[0]);

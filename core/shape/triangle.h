@@ -1,22 +1,20 @@
 #pragma once
 
-// Inside test after Woop, Benthin & Wald 2013, "Watertight Ray/Triangle Intersection", JCGT 2(1).
+// Inside test in the ray's plane after Woop, Benthin & Wald 2013, "Watertight Ray/Triangle
+// Intersection", JCGT 2(1). Where theirs is watertight, this one is right: a sign that its error
+// bound leaves open is decided exactly.
 
 #include "core/math/aabb.h"
 #include "core/shape/ray_query.h"
 
 namespace bspview {
 
-/// Twice the signed area of the triangle (0, p, q), with the exact sign: rounding of the two
-/// products is monotone, so that only equal products leave it open, and those double decides
-/// exactly. edge_area(p, q) == -edge_area(q, p) holds bit for bit (needs contraction off).
-inline double edge_area(Vec2 p, Vec2 q) {
-  const float area = p.x * q.y - p.y * q.x;
-  if (area != 0.0f) return area;
-  return static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
+/// Twice the signed area of the triangle (0, p, q).
+inline float edge_area(Vec2 p, Vec2 q) {
+  return p.x * q.y - p.y * q.x;
 }
 
-/// Not normalised; in double, so that t and the side are right even for needles.
+/// Not normalised.
 inline Vec3d triangle_normal(Vec3 a, Vec3 b, Vec3 c) {
   return glm::cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a));
 }
@@ -29,20 +27,34 @@ inline double hit_plane(const RayQuery& ray, Vec3d point, Vec3d normal, Sides si
   return ray.accepts(t) ? t : no_hit;
 }
 
-/// Edges and vertices belong to the triangle: closed meshes have no gaps.
+/// Distance of a triangle's plane, right to a few ulp of float at worst, its sign always; no_hit
+/// outside the ray's interval or from a hidden side.
+double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides);
+
+/// hit_triangle with every sign decided by exact arithmetic where double leaves it open.
+ShapeHit hit_triangle_exactly(const RayQuery& ray, const Vec3* vertices, Sides sides);
+
+/// The exact set of hits: edges and vertices belong to the triangle, a triangle without area or
+/// seen edge-on is missed.
 inline ShapeHit hit_triangle(const RayQuery& ray, const Vec3* vertices, Sides sides) {
   const Vec2 a = ray.project(vertices[0]);
   const Vec2 b = ray.project(vertices[1]);
   const Vec2 c = ray.project(vertices[2]);
-  const double u = edge_area(c, b);
-  const double v = edge_area(a, c);
-  const double w = edge_area(b, a);
-  if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return {};
-  const double area = u + v + w;
-  if (area == 0.0) return {};
-  const Vec3d normal = triangle_normal(vertices[0], vertices[1], vertices[2]);
-  const double t = hit_plane(ray, Vec3d(vertices[0]), normal, sides);
-  return {t, static_cast<float>(v / area), static_cast<float>(w / area)};
+  const float u = edge_area(c, b), v = edge_area(a, c), w = edge_area(b, a);
+
+  // Bound on the error of u, v and w. With coordinates of size s, off by 8 r (r = reach_error):
+  // 2 (8 r) s + 2 (8 r)^2 from the coordinates, 2 s^2 x 2^-24 from the products and their
+  // difference; rounded up. The last term covers what underflows.
+  const float size = std::max({std::abs(a.x) + std::abs(a.y), std::abs(b.x) + std::abs(b.y),
+                               std::abs(c.x) + std::abs(c.y)});
+  const float r = ray.reach_error;
+  const float bound = (18.0f * r + 4.0f * unit_roundoff * size) * size + 160.0f * r * r + 0x1p-120f;
+
+  const float least = std::min({u, v, w}), most = std::max({u, v, w});
+  if (least < -bound && most > bound) return {};
+  if (!(least > bound || most < -bound)) return hit_triangle_exactly(ray, vertices, sides);
+  const float area = u + v + w;
+  return {hit_triangle_plane(ray, vertices, sides), v / area, w / area};
 }
 
 /// The same in double throughout (Moeller & Trumbore 1997): the reference picture's test.
