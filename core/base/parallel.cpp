@@ -1,15 +1,25 @@
 #include "core/base/parallel.h"
 
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <optional>
+
 namespace bspview {
 
-int thread_count(int threads) { return threads > 0 ? threads : tbb::info::default_concurrency(); }
+int thread_count(int threads) {
+  return threads > 0 ? threads : tbb::info::default_concurrency();
+}
 
 void with_threads(int threads, const std::function<void()>& work) {
+  // More threads than cores have to be allowed explicitly.
+  std::optional<tbb::global_control> more;
+  if (threads > thread_count(0)) {
+    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
   tbb::task_arena arena(thread_count(threads));
   arena.execute(work);
 }
