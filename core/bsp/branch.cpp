@@ -7,9 +7,8 @@ void splice(Branch& whole, std::uint32_t slot, const Branch& part) {
   const auto first_node = static_cast<std::uint32_t>(whole.nodes.size()) - 1;
   const auto first_reference = static_cast<std::uint32_t>(whole.references.size());
   const auto moved = [&](const Node& node) {
-    return node.is_leaf()
-               ? Node::make_leaf(node.first_reference() + first_reference, node.count())
-               : Node::make_inner(node.axis(), node.split(), node.left() + first_node);
+    return node.is_leaf() ? Node::make_leaf(node.first_reference() + first_reference, node.count())
+                          : Node::make_inner(node.axis(), node.split(), node.left() + first_node);
   };
   whole.nodes[slot] = moved(part.nodes[0]);
   whole.nodes.reserve(whole.nodes.size() + part.nodes.size() - 1);

@@ -67,8 +67,8 @@ Aabb root_box(std::span<const ObjectPart> parts) {
 
 /// 8 ulp of the largest coordinate: thinner cells would be rounding errors.
 double smallest_width(const Aabb& box) {
-  const Vec3 reach = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  return box.empty() ? 0.0 : 8.0 * 0x1p-23 * largest_component(reach);
+  const double largest = largest_component(glm::max(glm::abs(box.lo), glm::abs(box.hi)));
+  return std::max(8.0 * 0x1p-23 * largest, double{std::numeric_limits<float>::denorm_min()});
 }
 
 Tree grow_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
@@ -100,9 +100,13 @@ void grow_naive(const BuildJob&, std::vector<ObjectPart> parts, Branch& branch) 
   for (const ObjectPart& part : parts) branch.references.push_back(part.object);
 }
 
-std::span<const std::string_view> builder_names() { return rule_names; }
+std::span<const std::string_view> builder_names() {
+  return rule_names;
+}
 
-std::string_view name_of(Builder builder) { return rule_names[static_cast<std::size_t>(builder)]; }
+std::string_view name_of(Builder builder) {
+  return rule_names[static_cast<std::size_t>(builder)];
+}
 
 Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
   const Timer timer;

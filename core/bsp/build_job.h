@@ -18,10 +18,6 @@ struct BuildStopped {};
 inline constexpr std::size_t light_steps = std::size_t{1} << 16;  ///< a few instructions each
 inline constexpr std::size_t clip_steps = std::size_t{1} << 9;
 
-/// Splits dearer than a leaf that may follow each other on one path: often it takes several to
-/// cut empty space off on more than one side.
-inline constexpr int max_failed_splits = 3;
-
 /// What stays the same through one build.
 struct BuildJob {
   const BuildInput& input;
@@ -30,7 +26,7 @@ struct BuildJob {
   int max_depth = 0;
   std::size_t leaf_size = 1;
   bool clip = false;
-  double min_width = 0.0;  ///< of a cell that a split makes
+  double min_width = 0.0;  ///< of a cell that a split makes; not 0
   std::size_t memory_limit = 0;
   std::stop_token stop = {};
 

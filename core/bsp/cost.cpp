@@ -5,11 +5,17 @@
 namespace bspview {
 namespace {
 
-double at_least_zero(float x) { return x > 0.0f ? x : 0.0; }
+double at_least_zero(float x) {
+  return x > 0.0f ? x : 0.0;
+}
 
-Vec3d extent_in_double(const Aabb& box) { return Vec3d(box.hi) - Vec3d(box.lo); }
+Vec3d extent_in_double(const Aabb& box) {
+  return Vec3d(box.hi) - Vec3d(box.lo);
+}
 
-double half_area_in_double(const Vec3d& d) { return d.x * d.y + d.y * d.z + d.z * d.x; }
+double half_area_in_double(const Vec3d& d) {
+  return d.x * d.y + d.y * d.z + d.z * d.x;
+}
 
 }  // namespace
 

@@ -27,8 +27,8 @@ class SplitCost {
 
   /// `left` and `right` objects touch the two sides of the plane at `position`.
   double operator()(double position, std::uint32_t left, std::uint32_t right) const {
-    const double tests = left * (caps_ + rim_ * (position - lo_)) +
-                         right * (caps_ + rim_ * (hi_ - position));
+    const double tests =
+        left * (caps_ + rim_ * (position - lo_)) + right * (caps_ + rim_ * (hi_ - position));
     const double cost = traversal_ + tests;
     return left == 0 || right == 0 ? cost * empty_factor_ : cost;
   }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 namespace bspview {
 
@@ -22,6 +24,7 @@ class Event {
   static Event make_end(float hi, std::uint32_t part) { return {after(rank(hi)), 0, part}; }
 
   bool is_start() const { return bits_ >> 31 & 1; }
+  bool is_end() const { return !is_start(); }
   std::uint32_t part() const { return static_cast<std::uint32_t>(bits_) & part_mask; }
   float position() const {
     const auto rank = static_cast<std::uint32_t>(bits_ >> 32);
@@ -49,10 +52,22 @@ class Event {
     const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);
     return bits & sign ? ~bits : bits | sign;
   }
-  static std::uint32_t before(std::uint32_t rank) { return rank - (rank - 1 == minus_zero ? 2 : 1); }
+  static std::uint32_t before(std::uint32_t rank) {
+    return rank - (rank - 1 == minus_zero ? 2 : 1);
+  }
   static std::uint32_t after(std::uint32_t rank) { return rank + (rank + 1 == minus_zero ? 2 : 1); }
 
   std::uint64_t bits_;
 };
+
+/// How many of the sorted `events` lie before `position`; then: not behind it.
+inline std::size_t count_before(std::span<const Event> events, float position) {
+  const auto before = [&](Event event) { return event.position() < position; };
+  return std::ranges::partition_point(events, before) - events.begin();
+}
+inline std::size_t count_up_to(std::span<const Event> events, float position) {
+  const auto not_behind = [&](Event event) { return event.position() <= position; };
+  return std::ranges::partition_point(events, not_behind) - events.begin();
+}
 
 }  // namespace bspview

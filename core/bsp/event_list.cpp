@@ -10,9 +10,6 @@ namespace {
 
 constexpr std::uint32_t nowhere = 0xffffffffu;
 
-// With fewer objects the three axes are not worth three tasks.
-constexpr std::size_t parallel_axes_count = 4096;
-
 /// Which side of the plane a part of a node touches.
 enum Side : std::uint8_t { left_side = 1, right_side = 2, both_sides = 3 };
 
@@ -81,11 +78,6 @@ class EventList::Child {
   std::uint32_t count_ = 0;
 };
 
-void for_each_axis(std::size_t objects, const std::function<void(int)>& body) {
-  if (objects >= parallel_axes_count) return parallel_for(3, body);
-  for (int axis = 0; axis < 3; ++axis) body(axis);
-}
-
 EventList::EventList(const BuildJob& job, std::size_t capacity, ScratchStack& scratch)
     : job_(&job),
       stride_(2 * capacity + 1),  // a list may be written to one event behind its end
@@ -112,17 +104,13 @@ void EventList::append_objects(std::vector<std::uint32_t>& objects) const {
 
 void EventList::find_sides(const Split& split, std::uint8_t* sides) const {
   const std::span<const Event> all = events(split.axis);
-  const auto before = [&](Event event) { return event.position() < split.position; };
-  const auto not_behind = [&](Event event) { return event.position() <= split.position; };
-  const std::size_t first = std::ranges::partition_point(all, before) - all.begin();
-  const std::size_t last = std::ranges::partition_point(all, not_behind) - all.begin();
-
+  const std::size_t first = count_before(all, split.position);
+  const std::size_t last = count_up_to(all, split.position);
   std::fill_n(sides, count_, std::uint8_t{0});
-  job_->for_each(first, light_steps, [&](std::size_t i) {
-    sides[all[i].part()] |= all[i].is_start() ? left_side : 0;
-  });
+  job_->for_each(first, light_steps,
+                 [&](std::size_t i) { sides[all[i].part()] |= all[i].is_start() * left_side; });
   job_->for_each(all.size() - last, light_steps, [&](std::size_t i) {
-    sides[all[last + i].part()] |= all[last + i].is_start() ? 0 : right_side;
+    sides[all[last + i].part()] |= all[last + i].is_end() * right_side;
   });
 }
 

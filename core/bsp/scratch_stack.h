@@ -25,7 +25,9 @@ class ScratchStack {
 
    public:
     Array(ScratchStack& stack, std::size_t size)
-        : stack_(&stack), mark_(stack.top_), first_(static_cast<T*>(stack.take(size * sizeof(T)))) {}
+        : stack_(&stack),
+          mark_(stack.top_),
+          first_(static_cast<T*>(stack.take(size * sizeof(T)))) {}
     Array(Array&& other) noexcept
         : stack_(std::exchange(other.stack_, nullptr)), mark_(other.mark_), first_(other.first_) {}
     ~Array() {

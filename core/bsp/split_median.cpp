@@ -7,8 +7,8 @@
 namespace bspview {
 namespace {
 
-std::optional<Split> halve(const BuildJob& job, std::span<const ObjectPart> parts,
-                           const Aabb& cell, int axis) {
+std::optional<Split> halve(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell,
+                           int axis) {
   const float middle = 0.5f * (cell.lo[axis] + cell.hi[axis]);
   if (!PlaneRange(job, cell, axis).holds(middle)) return {};
   return count_sides(job, parts, axis, middle);

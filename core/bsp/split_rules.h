@@ -11,8 +11,8 @@ namespace bspview {
 /// the placeable objects in ascending order.
 using GrowTree = void(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch);
 
-GrowTree grow_naive;          // one leaf
-GrowTree grow_median;         // split_median.cpp
+GrowTree grow_naive;   // one leaf
+GrowTree grow_median;  // split_median.cpp
 GrowTree grow_median_longest;
 GrowTree grow_object_median;  // split_object_median.cpp
 GrowTree grow_mb;             // split_mb.cpp

@@ -9,54 +9,35 @@
 namespace bspview {
 namespace {
 
-/// A plane that moves along one axis of a cell and keeps the cheapest position.
-class Sweep {
- public:
-  Sweep(const SplitCost& cost, Split& best, std::size_t count)
-      : cost_(cost), best_(best), right_(static_cast<std::uint32_t>(count)) {}
-
-  void pass(Event event) {
-    right_ -= !event.is_start();
-    left_ += event.is_start();
-  }
-
-  void try_and_pass(int axis, Event event) {
-    right_ -= !event.is_start();
-    try_plane(axis, event.position());
-    left_ += event.is_start();
-  }
-
-  void try_plane(int axis, float position) {
-    const double cost = cost_(position, left_, right_);
-    if (cost < best_.cost) best_ = {axis, position, left_, right_, cost};
-  }
-
- private:
-  const SplitCost& cost_;
-  Split& best_;
-  std::uint32_t left_ = 0;
-  std::uint32_t right_;
-};
-
 /// The cheapest plane on one axis of a cell; its cost is infinite when there is no room for one.
 Split cheapest_on_axis(const BuildJob& job, const EventList& list, const Aabb& cell, int axis) {
   Split best{.axis = axis, .cost = std::numeric_limits<double>::infinity()};
   const PlaneRange range(job, cell, axis);
   if (range.empty()) return best;
 
-  const SplitCost cost(job.costs, cell, axis);
   const std::span<const Event> events = list.events(axis);
-  Sweep sweep(cost, best, list.count());
-  const auto position = [](Event event) { return event.position(); };
-  const auto inside = std::ranges::lower_bound(events, range.first(), {}, position);
-  const auto behind = std::ranges::upper_bound(events, range.last(), {}, position);
-  const auto steps = [&](auto first, auto last, auto body) {
-    job.for_each(last - first, light_steps, [&](std::size_t i) { body(first[i]); });
+  const std::size_t inside = count_before(events, range.first());
+  const std::size_t behind = count_up_to(events, range.last());
+  const SplitCost cost(job.costs, cell, axis);
+  std::uint32_t left = 0;  // objects that touch the cell on this side of the plane
+  auto right = static_cast<std::uint32_t>(list.count());
+  const auto try_plane = [&](float position) {
+    const double here = cost(position, left, right);
+    if (here < best.cost) best = {axis, position, left, right, here};
   };
-  steps(events.begin(), inside, [&](Event event) { sweep.pass(event); });
-  sweep.try_plane(axis, range.first());
-  steps(inside, behind, [&](Event event) { sweep.try_and_pass(axis, event); });
-  sweep.try_plane(axis, range.last());
+
+  job.for_each(inside, light_steps, [&](std::size_t i) {
+    left += events[i].is_start();
+    right -= events[i].is_end();
+  });
+  try_plane(range.first());
+  job.for_each(behind - inside, light_steps, [&](std::size_t i) {
+    const Event event = events[inside + i];
+    right -= event.is_end();
+    try_plane(event.position());
+    left += event.is_start();
+  });
+  try_plane(range.last());
   return best;
 }
 

@@ -7,8 +7,8 @@ namespace bspview {
 
 int automatic_depth(std::size_t objects) {
   if (objects < 2) return 8;
-  return std::min(depth_cap,
-                  static_cast<int>(std::lround(8.0 + 1.3 * std::log2(static_cast<double>(objects)))));
+  return std::min(depth_cap, static_cast<int>(
+                                 std::lround(8.0 + 1.3 * std::log2(static_cast<double>(objects)))));
 }
 
 int effective_depth(const BuildParams& params, std::size_t objects) {

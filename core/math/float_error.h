@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace bspview {
@@ -13,9 +15,17 @@ constexpr float gamma_error(int n) {
   return n * unit_roundoff / (1.0f - n * unit_roundoff);
 }
 
-inline float next_up(float x) { return std::nextafter(x, std::numeric_limits<float>::infinity()); }
+/// The next float above x; x itself when it is infinite or not a number.
+inline float next_up(float x) {
+  if (!(std::abs(x) < std::numeric_limits<float>::infinity())) {
+    return x == -std::numeric_limits<float>::infinity() ? std::numeric_limits<float>::lowest() : x;
+  }
+  if (x == 0.0f) return std::numeric_limits<float>::denorm_min();
+  const auto bits = std::bit_cast<std::int32_t>(x);
+  return std::bit_cast<float>(x > 0.0f ? bits + 1 : bits - 1);
+}
 inline float next_down(float x) {
-  return std::nextafter(x, -std::numeric_limits<float>::infinity());
+  return -next_up(-x);
 }
 
 /// Largest float <= x and smallest float >= x.
