@@ -26,14 +26,18 @@ std::vector<std::uint32_t> greatest_values(const Tree& tree, LeafColor color_by)
   return values;
 }
 
-constexpr int color_steps = 256;
+std::uint32_t value_color(const NodeBoxStyle& style, std::uint32_t value) {
+  const float position = position_on(style.scale, static_cast<float>(value));
+  return pack_color(color_at(style.scale, position), style.alpha);
+}
 
-/// Index: position on the scale in `color_steps` steps.
-std::vector<std::uint32_t> scale_colors(const NodeBoxStyle& style) {
-  std::vector<std::uint32_t> colors;
-  for (int i = 0; i < color_steps; ++i) {
-    const float position = static_cast<float>(i) / (color_steps - 1);
-    colors.push_back(pack_color(color_at(style.scale, position), style.alpha));
+constexpr std::uint32_t table_size = 1024;  // greater values are rare
+
+/// Index: value of a leaf.
+std::vector<std::uint32_t> value_colors(const NodeBoxStyle& style) {
+  std::vector<std::uint32_t> colors(table_size);
+  for (std::uint32_t value = 0; value < table_size; ++value) {
+    colors[value] = value_color(style, value);
   }
   return colors;
 }
@@ -64,7 +68,7 @@ class BoxLines {
       : tree_(tree), shown_(shown), style_(style), pruning_(pruning) {
     if (style.color_by == LeafColor::plain) return;
     values_ = greatest_values(tree, style.color_by);
-    colors_ = scale_colors(style);
+    colors_ = value_colors(style);
   }
 
   /// Draws the boxes of the shown leaves below.
@@ -159,8 +163,7 @@ class BoxLines {
   }
 
   std::uint32_t color_of(std::uint32_t value) const {
-    const float position = position_on(style_.scale, static_cast<float>(value));
-    return colors_[static_cast<std::size_t>(position * (color_steps - 1) + 0.5f)];
+    return value < table_size ? colors_[value] : value_color(style_, value);
   }
 
   /// Pieces of one edge come in order, so equal neighbours grow together.
@@ -178,7 +181,7 @@ class BoxLines {
   const NodeBoxStyle& style_;
   const BoxPruning* pruning_;
   std::vector<std::uint32_t> values_;  // as greatest_values; empty when plain
-  std::vector<std::uint32_t> colors_;  // as scale_colors; empty when plain
+  std::vector<std::uint32_t> colors_;  // as value_colors; empty when plain
   std::size_t first_of_edge_ = 0;      // index into lines_
   LineList lines_;
 };
