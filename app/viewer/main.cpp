@@ -4,14 +4,28 @@
 
 #include "app/options/command_line.h"
 #include "app/viewer/run_offscreen.h"
+#include "app/viewer/run_window.h"
+#include "app/viewer/settings.h"
 #include "app/viewer/viewer_options.h"
 
 namespace {
 
-int report(const bspview::Result<void>& result) {
-  if (result) return bspview::exit_done;
-  fmt::print(stderr, "bspview: {}\n", result.error().message);
-  return bspview::exit_failed;
+using namespace bspview;
+
+/// A screenshot is the same for everyone: it takes nothing from the user's settings.
+Result<void> run(const ViewerOptions& options) {
+  State state;
+  if (!options.screenshot.empty()) {
+    apply_options(options, state);
+    return run_screenshot(options, std::move(state));
+  }
+  const std::filesystem::path file = settings_file();
+  Settings settings = load_settings(file);
+  apply_settings(settings, state);
+  apply_options(options, state);
+  const Result<void> result = run_window(options, std::move(state), settings);
+  if (result) (void)save_settings(settings, file);
+  return result;
 }
 
 }  // namespace
@@ -19,10 +33,11 @@ int report(const bspview::Result<void>& result) {
 int main(int argc, char** argv) {
   CLI::App app("bspview: shows how rays walk the BSP tree of a scene");
   app.set_version_flag("--version", "bspview " BSPVIEW_VERSION);
-  bspview::ViewerOptions options;
+  ViewerOptions options;
   add_viewer_options(app, options);
-  if (const auto code = bspview::parse_command_line(app, argc, argv)) return *code;
-  bspview::State state;
-  apply_options(options, state);
-  return report(run_screenshot(options, state));
+  if (const auto code = parse_command_line(app, argc, argv)) return *code;
+  const Result<void> result = run(options);
+  if (result) return exit_done;
+  fmt::print(stderr, "bspview: {}\n", result.error().message);
+  return exit_failed;
 }
