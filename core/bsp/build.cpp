@@ -37,13 +37,6 @@ constexpr auto rule_names = [] {
 // Node and reference indices have 30 and 32 bits: no tree takes more than this many bytes.
 constexpr std::size_t memory_cap = std::size_t{1} << 33;
 
-bool is_placeable(const Aabb& box) {
-  const auto finite = [](Vec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  };
-  return !box.empty() && finite(box.lo) && finite(box.hi);
-}
-
 std::vector<ObjectPart> placeable_objects(const BuildInput& input) {
   std::vector<ObjectPart> parts;
   parts.reserve(input.boxes.size());
@@ -98,6 +91,13 @@ Tree grow_tree(const BuildInput& input, const BuildParams& params, std::stop_tok
 void grow_naive(const BuildJob&, std::vector<ObjectPart> parts, Branch& branch) {
   branch.nodes.push_back(Node::make_leaf(0, static_cast<std::uint32_t>(parts.size())));
   for (const ObjectPart& part : parts) branch.references.push_back(part.object);
+}
+
+bool is_placeable(const Aabb& box) {
+  const auto finite = [](Vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  return !box.empty() && finite(box.lo) && finite(box.hi);
 }
 
 std::span<const std::string_view> builder_names() {

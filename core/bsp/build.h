@@ -9,17 +9,22 @@
 
 namespace bspview {
 
+/// Whether an object with that box is put into leaves: not when it is empty, infinite or NaN.
+bool is_placeable(const Aabb& box);
+
 /// Box of the part of object `object` inside `cell`, rounded outwards; empty when there is none.
 using ClipFunction = std::function<Aabb(std::uint32_t object, const Aabb& cell)>;
 
 /// What a builder knows of the objects.
 struct BuildInput {
-  std::span<const Aabb> boxes;  ///< one an object; an empty box: the object is in no leaf
-  ClipFunction clip;            ///< called from several threads
+  std::span<const Aabb> boxes;  ///< one an object; not placeable: the object is in no leaf
+  ClipFunction clip;            ///< called from several threads; null: trees are built without
 };
 
-/// Builds a tree. The result does not depend on params.threads. Fails, with the error "stopped",
-/// only when `stop` was requested.
+/// Builds a tree. The result depends on no thread count and no timing. The maximal depth is clamped
+/// to depth_cap, the leaf size to at least 1; where the memory limit leaves no room for two
+/// children, a node becomes a leaf. Fails with the error "stopped" soon (within milliseconds) after
+/// `stop` is requested, and when memory runs out.
 Result<Tree> build_tree(const BuildInput& input, const BuildParams& params,
                         std::stop_token stop = {});
 
