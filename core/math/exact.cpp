@@ -54,6 +54,17 @@ int side_of_edge(Vec3 o, Vec3 d, Vec3 a, Vec3 b) {
   return dot(exact(d), cross(difference(a, o), difference(b, o))).sign();
 }
 
+int side_of_line(Vec3 o, Vec3 d, Vec3 a, int i, int j) {
+  const double first = (static_cast<double>(a[i]) - o[i]) * d[j];
+  const double second = (static_cast<double>(a[j]) - o[j]) * d[i];
+  const double minor = first - second;
+  const double bound = 4.0 * 0x1p-53 * (std::abs(first) + std::abs(second));
+  if (minor > bound) return 1;
+  if (minor < -bound) return -1;
+  const Exact exact_first = (Exact(a[i]) - Exact(o[i])) * Exact(d[j]);
+  return (exact_first - (Exact(a[j]) - Exact(o[j])) * Exact(d[i])).sign();
+}
+
 double exact_plane_distance(Vec3 o, Vec3 d, const Vec3* triangle) {
   const ExactVec normal = exact_normal(triangle);
   const Exact t = dot(normal, difference(triangle[0], o)) / dot(normal, exact(d));

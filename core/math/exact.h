@@ -9,6 +9,10 @@ namespace bspview {
 /// arithmetic elsewhere. Every coordinate is finite.
 int side_of_edge(Vec3 o, Vec3 d, Vec3 a, Vec3 b);
 
+/// Sign of (a - o)[i] d[j] - (a - o)[j] d[i]: on which side of the line, seen along the third axis.
+/// Always right, as above.
+int side_of_line(Vec3 o, Vec3 d, Vec3 a, int i, int j);
+
 /// Distance t, in units of `d`, at which the line o + t d meets the plane of a triangle, rounded
 /// from its exact value. The line is not parallel to the plane.
 double exact_plane_distance(Vec3 o, Vec3 d, const Vec3* triangle);

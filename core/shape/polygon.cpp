@@ -4,29 +4,34 @@
 #include <cmath>
 #include <vector>
 
+#include "core/math/exact.h"
 #include "core/math/float_error.h"
 #include "core/shape/triangle.h"
 
 namespace bspview {
 namespace {
 
+/// Whether `vertex`, seen along the ray, lies above it. Exact.
+bool is_above(const RayQuery& ray, Vec3 vertex) {
+  const float height =
+      (vertex[ray.ky] - ray.origin[ray.ky]) - ray.shear_y * (vertex[ray.kz] - ray.origin[ray.kz]);
+  if (std::abs(height) > 8.0f * ray.reach_error) return height > 0.0f;
+  const int side = side_of_line(ray.origin, ray.direction, vertex, ray.ky, ray.kz);
+  return ray.direction[ray.kz] > 0.0f ? side > 0 : side < 0;
+}
+
 /// Whether the ray passes through the polygon: counts the edges that cross the positive x axis of
-/// the ray's plane. Signs of crossings are exact, since products of floats are, in double.
+/// the ray's plane. Exact.
 bool encloses_ray(const RayQuery& ray, std::span<const Vec3> vertices) {
-  const auto is_above = [&](Vec3 vertex) {
-    return (vertex[ray.ky] - ray.origin[ray.ky]) -
-               ray.shear_y * (vertex[ray.kz] - ray.origin[ray.kz]) >
-           0.0f;
-  };
+  const int mirrored = ray.direction[ray.kz] > 0.0f ? 1 : -1;
   bool inside = false;
-  bool from_above = is_above(vertices.back());
   const Vec3* from = &vertices.back();
+  bool from_above = is_above(ray, *from);
   for (const Vec3& to : vertices) {
-    const bool to_above = is_above(to);
+    const bool to_above = is_above(ray, to);
     if (from_above != to_above) {
-      const Vec2 p = ray.project(*from), q = ray.project(to);
-      const double side = static_cast<double>(p.x) * q.y - static_cast<double>(p.y) * q.x;
-      if (to_above ? side > 0.0 : side < 0.0) inside = !inside;
+      const int side = mirrored * side_of_edge(ray.origin, ray.direction, *from, to);
+      if (side == (to_above ? 1 : -1)) inside = !inside;
     }
     from_above = to_above;
     from = &to;
@@ -124,6 +129,7 @@ PolygonPlane polygon_plane(std::span<const Vec3> vertices) {
 ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
                      Sides sides) {
   const double t = hit_plane(ray, plane.point, plane.normal, sides);
+  // Vertices that are not finite give no t that is accepted.
   if (t == no_hit || !encloses_ray(ray, vertices)) return {};
   return {t};
 }

@@ -15,8 +15,9 @@ struct PolygonPlane {
 };
 PolygonPlane polygon_plane(std::span<const Vec3> vertices);
 
-/// Planar polygon, concave or self-overlapping (even-odd). A point on an edge belongs to exactly
-/// one of the two polygons that share it: meshes of polygons have neither gaps nor double hits.
+/// Planar polygon, concave or self-overlapping (even-odd), decided exactly for the vertices as they
+/// are. A ray through a shared edge hits exactly one of the two polygons: their meshes have neither
+/// gaps nor double hits.
 ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
                      Sides sides);
 

@@ -32,7 +32,7 @@ Vec3 wild_point(Random& random) {
   return {x, y, wild()};
 }
 
-TEST(Exact, SideOfEdgeIsTheSignOfTheRationalDeterminant) {
+TEST(Exact, SidesAreTheSignsOfTheRationalDeterminants) {
   Random random(71);
   int open = 0;
   for (int trial = 0; trial < 10000; ++trial) {
@@ -47,6 +47,10 @@ TEST(Exact, SideOfEdgeIsTheSignOfTheRationalDeterminant) {
     const int sign = det > 0 ? 1 : det < 0 ? -1 : 0;
     ASSERT_EQ(side_of_edge(o, d, a, b), sign) << trial;
     open += sign == 0;
+
+    const RationalVec way = difference(a, o);
+    const Rational minor = way[1] * Rational(d.z) - way[2] * Rational(d.y);
+    ASSERT_EQ(side_of_line(o, d, a, 1, 2), minor > 0 ? 1 : minor < 0 ? -1 : 0) << trial;
   }
   EXPECT_GT(open, 0);
 }
