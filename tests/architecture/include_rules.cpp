@@ -26,12 +26,18 @@ struct Library {
   std::vector<std::string_view> users;
 };
 
+// The window, with or without a display, is the files window and offscreen; the interface in it is
+// interface with its fonts, theme, keys (actions) and input_queue; gl/screen draws both.
 const Library libraries[] = {
     {"Dear ImGui",
-     {"imgui"},
-     {"app/viewer/panels/", "app/viewer/window", "app/viewer/app", "app/viewer/input_queue"}},
-    {"GLFW", {"GLFW/"}, {"app/viewer/window"}},
-    {"OpenGL", {"GL/", "GLES", "EGL/", "KHR/", "epoxy/"}, {"app/viewer/gl/", "app/viewer/window"}},
+     {"imgui", "backends/imgui"},
+     {"app/viewer/panels/", "app/viewer/app.", "app/viewer/window.", "app/viewer/offscreen.",
+      "app/viewer/interface.", "app/viewer/fonts.", "app/viewer/theme.", "app/viewer/actions.",
+      "app/viewer/input_queue.", "app/viewer/gl/screen."}},
+    {"GLFW", {"GLFW/", "backends/imgui_impl_glfw"}, {"app/viewer/window."}},
+    {"OpenGL",
+     {"GL/", "GLES", "EGL/", "KHR/", "epoxy/", "backends/imgui_impl_opengl"},
+     {"app/viewer/gl/", "app/viewer/window.", "app/viewer/offscreen."}},
 };
 
 const Layer* find_layer(std::string_view path) {

@@ -54,6 +54,7 @@ TEST(IncludeRules, FindLibrariesOutsideTheirPlace) {
   EXPECT_FALSE(allowed("core/scene/scene.h", "GL/gl.h"));
   EXPECT_FALSE(allowed("app/viewer/panels/build_panel.cpp", "GLFW/glfw3.h"));
   EXPECT_FALSE(allowed("app/viewer/panels/build_panel.cpp", "GL/gl.h"));
+  EXPECT_FALSE(allowed("app/viewer/app.cpp", "backends/imgui_impl_opengl3.h"));
   EXPECT_FALSE(allowed("app/viewer/overlays/node_boxes.cpp", "imgui.h"));
   EXPECT_FALSE(allowed("app/viewer/stage.h", "imgui_internal.h"));
   EXPECT_FALSE(allowed("app/eval/main.cpp", "EGL/egl.h"));
