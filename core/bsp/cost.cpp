@@ -40,8 +40,13 @@ SplitCost::SplitCost(const CostModel& model, const Aabb& cell, int axis)
 }
 
 double crossing_probability(const Aabb& part, const Aabb& cell) {
-  const double area = half_area_in_double(extent_in_double(cell));
-  return area > 0.0 ? half_area_in_double(extent_in_double(part)) / area : 1.0;
+  if (cell.empty()) return 1.0;
+  const Vec3d whole = extent_in_double(cell);
+  const Vec3d some = extent_in_double(part);
+  const double area = half_area_in_double(whole);
+  if (area > 0.0) return half_area_in_double(some) / area;
+  const double length = whole.x + whole.y + whole.z;
+  return length > 0.0 ? (some.x + some.y + some.z) / length : 1.0;
 }
 
 }  // namespace bspview

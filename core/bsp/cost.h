@@ -39,7 +39,8 @@ class SplitCost {
   double traversal_, empty_factor_;
 };
 
-/// Probability that a ray that crosses `cell` also crosses `part` of it.
+/// Probability that a ray that crosses `cell` also crosses `part` of it: the ratio of their areas,
+/// or of their lengths where the cell is a line; 1 where it is a point or empty.
 double crossing_probability(const Aabb& part, const Aabb& cell);
 
 }  // namespace bspview

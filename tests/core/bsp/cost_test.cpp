@@ -1,0 +1,56 @@
+#include "core/bsp/cost.h"
+
+#include <gtest/gtest.h>
+
+namespace bspview {
+namespace {
+
+constexpr CostModel model{.traversal = 1.0, .intersection = 2.0, .empty_factor = 0.5};
+
+TEST(SplitCost, WeighsBothSidesByTheirArea) {
+  const Aabb cell{Vec3(0.0f), Vec3(4.0f, 2.0f, 1.0f)};
+  // Half areas: 4 * 2 + 2 * 1 + 1 * 4 = 14; left of x = 1: 2 + 2 + 1 = 5; right: 6 + 2 + 3 = 11.
+  const SplitCost cost(model, cell, 0);
+  EXPECT_NEAR(cost(1.0, 3, 4), 1.0 + 2.0 * (3 * 5.0 + 4 * 11.0) / 14.0, 1e-12);
+}
+
+TEST(SplitCost, CutsOffEmptySpaceCheaply) {
+  const Aabb cell{Vec3(0.0f), Vec3(2.0f)};
+  const SplitCost cost(model, cell, 2);
+  EXPECT_NEAR(cost(1.0, 0, 4), 0.5 * (1.0 + 2.0 * 4 * 8.0 / 12.0), 1e-12);
+  EXPECT_NEAR(cost(1.0, 4, 0), cost(1.0, 0, 4), 1e-12);
+}
+
+TEST(SplitCost, SplitsACellWithoutAreaByLength) {
+  const Aabb line{Vec3(0.0f), Vec3(4.0f, 0.0f, 0.0f)};
+  const SplitCost cost(model, line, 0);
+  EXPECT_NEAR(cost(1.0, 3, 4), 1.0 + 2.0 * (3 * 0.25 + 4 * 0.75), 1e-12);
+}
+
+TEST(SplitCost, SurvivesTheLargestBoxes) {
+  const float largest = std::numeric_limits<float>::max();
+  const Aabb cell{Vec3(-largest), Vec3(largest)};
+  EXPECT_NEAR(SplitCost(model, cell, 1)(0.0, 3, 3), 1.0 + 2.0 * 6 * 2.0 / 3.0, 1e-9);
+}
+
+TEST(CrossingProbability, IsTheRatioOfAreasOrLengths) {
+  const Aabb cube{Vec3(0.0f), Vec3(2.0f)};
+  EXPECT_EQ(crossing_probability(split_cell(cube, 0, 1.0f).left, cube), 8.0 / 12.0);
+  const Aabb line{Vec3(0.0f), Vec3(0.0f, 4.0f, 0.0f)};
+  EXPECT_EQ(crossing_probability(split_cell(line, 1, 1.0f).left, line), 0.25);
+  const Aabb point{Vec3(1.0f), Vec3(1.0f)};
+  EXPECT_EQ(crossing_probability(point, point), 1.0);
+  EXPECT_EQ(crossing_probability(Aabb{}, Aabb{}), 1.0);
+}
+
+TEST(CostModel, TakesNonsenseAsZero) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const CostModel costs =
+      cost_model({.cost_traversal = -1.0f, .cost_intersection = nan, .empty_bonus = 7.0f});
+  EXPECT_EQ(costs.traversal, 0.0);
+  EXPECT_EQ(costs.intersection, 0.0);
+  EXPECT_EQ(costs.empty_factor, 0.0);
+}
+
+}  // namespace
+}  // namespace bspview
