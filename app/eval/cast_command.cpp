@@ -42,12 +42,13 @@ TimedResults cast_repeatedly(const World& world, std::span<const Ray> rays,
       .traversal = options.tree.traversal,
       .threads = options.tree.build.threads};
   const int repeats = std::max(1, options.repeats);
-  Progress progress("rays", rays.size() * static_cast<std::size_t>(repeats),
+  Progress progress("rays", static_cast<double>(rays.size()) * repeats,
                     options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
   TimedResults timed;
   for (int i = 0; i < repeats; ++i) {
     const Timer timer;
-    timed.results = cast_rays(world, rays, params, [&](std::size_t done) { progress.add(done); });
+    timed.results = cast_rays(world, rays, params,
+                              [&](std::size_t done) { progress.add(static_cast<double>(done)); });
     timed.seconds.push_back(timer.seconds());
   }
   return timed;

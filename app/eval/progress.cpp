@@ -21,7 +21,7 @@ std::string rate_text(double per_second) {
 }
 
 std::string time_text(double seconds) {
-  const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
+  const auto whole = static_cast<std::int64_t>(std::max(0.0, std::ceil(seconds)));
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
   return fmt::format("{}:{:02} h", whole / 3600, whole % 3600 / 60);
@@ -30,19 +30,19 @@ std::string time_text(double seconds) {
 }  // namespace
 
 std::string format_progress(const std::string& what, const ProgressState& state) {
-  const double total = static_cast<double>(std::max<std::uint64_t>(1, state.total));
-  const double share = std::min(1.0, static_cast<double>(state.done) / total);
-  const auto marks = static_cast<std::size_t>(share * bar_width);
+  const double share = state.total > 0.0 ? std::clamp(state.done / state.total, 0.0, 1.0) : 1.0;
+  // Shares of tiles that add up to a whole may fall short of it by rounding.
+  constexpr double rounding = 1e-9;
+  const auto marks = static_cast<std::size_t>((share + rounding) * bar_width);
   std::string text = fmt::format("{} [{:-<{}}] {:3.0f} %", what, std::string(marks, '#'), bar_width,
-                                 std::floor(share * 100.0));
-  if (state.done == 0 || !(state.seconds > 0.0)) return text;
-  const double rate = static_cast<double>(state.done) / state.seconds;
-  const double left = total - static_cast<double>(state.done);
-  return text +
-         fmt::format("  {}  {} left", rate_text(rate), time_text(std::max(0.0, left) / rate));
+                                 std::floor((share + rounding) * 100.0));
+  if (!(state.done > 0.0 && state.seconds > 0.0)) return text;
+  const double rate = state.done / state.seconds;
+  const double left = std::max(0.0, state.total - state.done);
+  return text + fmt::format("  {}  {} left", rate_text(rate), time_text(left / rate - rounding));
 }
 
-Progress::Progress(std::string what, std::uint64_t total, Mode mode)
+Progress::Progress(std::string what, double total, Mode mode)
     : what_(std::move(what)),
       state_{.total = total},
       shown_(mode == Mode::shown && ::isatty(STDERR_FILENO) == 1) {}
@@ -51,18 +51,10 @@ Progress::~Progress() {
   if (drawn_) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::add(std::uint64_t done) {
+void Progress::add(double done) {
   if (!shown_) return;
   const std::lock_guard lock(mutex_);
   state_.done += done;
-  draw();
-}
-
-void Progress::set(std::uint64_t done, std::uint64_t total) {
-  if (!shown_) return;
-  const std::lock_guard lock(mutex_);
-  state_.done = done;
-  state_.total = total;
   draw();
 }
 

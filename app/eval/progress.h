@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <mutex>
 #include <string>
 
@@ -10,7 +9,7 @@ namespace bspview {
 
 /// How far some work is.
 struct ProgressState {
-  std::uint64_t done = 0, total = 0;
+  double done = 0.0, total = 0.0;
   double seconds = 0.0;  ///< since its start
 };
 
@@ -23,13 +22,12 @@ class Progress {
  public:
   enum class Mode { shown, quiet };
 
-  Progress(std::string what, std::uint64_t total, Mode mode);
+  Progress(std::string what, double total, Mode mode);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();  ///< takes the bar away
 
-  void add(std::uint64_t done);
-  void set(std::uint64_t done, std::uint64_t total);
+  void add(double done);
 
  private:
   void draw();

@@ -44,9 +44,9 @@ Result<void> print_report(const Report& report, const std::string& json) {
   return json == "-" ? Result<void>() : write_output("-", to_text(report));
 }
 
-Result<void> save_heat(const World& world, const RenderOptions& options,
-                       const RenderParams& params) {
-  const auto map = measure_heat(world, world.scene.camera, params, *options.heat);
+Result<void> save_heat(const World& world, const RenderOptions& options) {
+  const Camera& camera = world.scene.camera;
+  const auto map = measure_heat(world, camera, picture_params(options, camera), *options.heat);
   if (!map) return map.error();
   const HeatRange range = heat_range(*map);
   if (const auto saved = save_image(color_heat(*map, range, ColorMap::viridis), options.output);
@@ -58,54 +58,85 @@ Result<void> save_heat(const World& world, const RenderOptions& options,
   return {};
 }
 
-Result<Lambda> measure_with_progress(const World& world, const RenderOptions& options,
-                                     const RenderParams& params) {
-  Progress progress("T_TR, T_TT", 1, options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
+LambdaParams lambda_params(const RenderOptions& options) {
   LambdaParams repeats;
   repeats.build_repeats = options.repeats;
   repeats.render_repeats = options.repeats;
   repeats.replay_repeats = std::max(repeats.replay_repeats, options.repeats);
-  repeats.progress = [&](int done, int planned) {
-    progress.set(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(planned));
-  };
-  return measure_lambda(world, world.scene.camera, params, repeats);
+  return repeats;
 }
 
+/// A bar that is full after `pictures` pictures, and what moves it.
+class PictureProgress {
+ public:
+  PictureProgress(const RenderOptions& options, int pictures)
+      : progress_("pictures", pictures,
+                  options.quiet ? Progress::Mode::quiet : Progress::Mode::shown) {
+    watch_.progress = [this](double more) { progress_.add(more); };
+  }
+  const Watch& watch() const { return watch_; }
+
+ private:
+  Progress progress_;
+  Watch watch_;
+};
+
 /// The picture by brute force: no tree, so no Delta; T_TR is the time of this picture.
+Result<Report> reference_report(const Scene& scene, const RenderOptions& options) {
+  const RenderParams params = picture_params(options, scene.camera);
+  PictureProgress progress(options, 1);
+  const Timer timer;
+  const auto image = render_reference(scene, scene.camera, params, progress.watch());
+  const double seconds = timer.seconds();
+  if (!image) return image.error();
+  if (const auto saved = save_image(*image, options.output); !saved) return saved.error();
+  Report report(scene);
+  report.lambda = Lambda{.t_cb = {}, .t_tr = summarise({seconds}), .t_tt_share = {}};
+  return report;
+}
+
 Result<void> run_reference(const RenderOptions& options) {
   const Result<Scene> scene = load_scene(options.tree.scene);
   if (!scene) return scene.error();
-  const Timer timer;
-  const auto image =
-      render_reference(*scene, scene->camera, picture_params(options, scene->camera));
-  if (!image) return image.error();
-  Report report(*scene);
-  report.lambda = Lambda{.t_cb = {}, .t_tr = summarise({timer.seconds()}), .t_tt_share = {}};
-  if (const auto saved = save_image(*image, options.output); !saved) return saved;
-  return print_report(report, options.json);
+  const Result<Report> report = reference_report(*scene, options);
+  return report ? print_report(*report, options.json) : report.error();
+}
+
+/// Makes the picture, saves it unless a heat map takes its place, then measures.
+Result<Report> picture_report(const SceneAndTree& built, const RenderOptions& options) {
+  const World world{built.scene, built.tree};
+  const Camera& camera = built.scene.camera;
+  const RenderParams params = picture_params(options, camera);
+  const LambdaParams repeats = lambda_params(options);
+  PictureProgress progress(options, 1 + planned_runs(params, repeats));
+
+  const auto counted = render_counted(world, camera, params, progress.watch());
+  if (!counted) return counted.error();
+  if (!options.heat) {
+    const auto saved = save_image(counted->image, options.output);
+    if (!saved) return saved.error();
+  }
+  const auto lambda = measure_lambda(world, camera, params, repeats, progress.watch());
+  if (!lambda) return lambda.error();
+
+  Report report(built.scene);
+  report.seed = options.tree.seed;
+  report.tree = TreeReport(built.tree, options.tree.traversal);
+  report.rays = counted->counts;
+  report.delta = compute_delta(report.tree->stats, report.objects.objects, counted->counts);
+  report.lambda = *lambda;
+  return report;
 }
 
 Result<void> run_with_tree(const RenderOptions& options) {
   const Result<SceneAndTree> built = load_and_build(options.tree);
   if (!built) return built.error();
-  const World world{built->scene, built->tree};
-  const RenderParams params = picture_params(options, built->scene.camera);
-
-  const auto counted = render_counted(world, built->scene.camera, params);
-  if (!counted) return counted.error();
-  const auto saved =
-      options.heat ? save_heat(world, options, params) : save_image(counted->image, options.output);
-  if (!saved) return saved;
-  const auto lambda = measure_with_progress(world, options, params);
-  if (!lambda) return lambda.error();
-
-  Report report(built->scene);
-  report.seed = options.tree.seed;
-  report.tree = TreeReport(built->tree, options.tree.traversal);
-  report.rays = counted->counts;
-  report.delta = compute_delta(report.tree->stats, report.objects.objects, counted->counts);
-  report.lambda = *lambda;
-  return print_report(report, options.json);
+  if (options.heat) {
+    const auto saved = save_heat({built->scene, built->tree}, options);
+    if (!saved) return saved;
+  }
+  const Result<Report> report = picture_report(*built, options);
+  return report ? print_report(*report, options.json) : report.error();
 }
 
 Result<void> run_render(const RenderOptions& options) {

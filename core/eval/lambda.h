@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/watch.h"
 #include "core/render/render.h"
 
 namespace bspview {
@@ -30,8 +29,7 @@ struct Lambda {
 struct LambdaParams {
   int build_repeats = 1;  ///< the build that made the tree is the first
   int render_repeats = 1;
-  int replay_repeats = 5;                               ///< 0: T_TT is not measured
-  std::function<void(int done, int planned)> progress;  ///< called after each run, when set
+  int replay_repeats = 5;  ///< 0: T_TT is not measured
 };
 
 /// T_TR by rendering without counters; T_TT by replay. Every ray of the picture is recorded once
@@ -39,9 +37,12 @@ struct LambdaParams {
 /// as many leaves, with the object tests left out: the same nodes in the same order. What reading
 /// the rays and the root box test cost is timed by a third run and taken off. Runs are interleaved;
 /// T_TT is set against T_TR of the same repeat, so that T_TR is measured at least as often.
-/// Fails, with the error "stopped", only when `stop` was requested.
+/// Fails, with the error "stopped", only when a stop was requested.
 Result<Lambda> measure_lambda(const World& world, const Camera& camera, const RenderParams& params,
-                              const LambdaParams& repeats, std::stop_token stop = {});
+                              const LambdaParams& repeats, const Watch& watch = {});
+
+/// How many builds and pictures that takes: what the calls of watch.progress add up to.
+int planned_runs(const RenderParams& params, const LambdaParams& repeats);
 
 /// The picture whose rays are recorded: `params`, made smaller until it has at most
 /// `max_recorded_pixels` eye rays, which bounds the memory for the record. T_TT / T_TR is then that

@@ -18,40 +18,31 @@ double seconds_of(const Work& work) {
 /// The runs of one measurement; once a stop is requested they do nothing.
 class Experiment {
  public:
-  Experiment(const World& world, const Camera& camera, const LambdaParams& repeats,
-             std::stop_token stop)
-      : world_(world), camera_(camera), repeats_(repeats), stop_(std::move(stop)) {}
+  Experiment(const World& world, const Camera& camera, const Watch& watch)
+      : world_(world), camera_(camera), watch_(watch) {}
 
-  void plan(int runs) { planned_ = runs; }
-  bool stopped() const { return stop_.stop_requested(); }
-
-  std::vector<double> builds() {
+  std::vector<double> builds(int repeats) {
     std::vector<double> seconds{world_.tree.build_seconds};
-    for (int i = 1; i < repeats_.build_repeats && !stopped(); ++i) {
-      const Result<Tree> tree = build_scene_tree(world_.scene, world_.tree.params, stop_);
+    for (int i = 1; i < repeats && !watch_.stopped(); ++i) {
+      const Result<Tree> tree = build_scene_tree(world_.scene, world_.tree.params, watch_.stop);
       if (tree) seconds.push_back(tree->build_seconds);
-      tick();
+      watch_.advance(1.0);
     }
     return seconds;
   }
 
   double render(const RenderParams& params) {
-    if (stopped()) return 0.0;
-    const double seconds =
-        seconds_of([&] { (void)render_image(world_, camera_, params, stop_).ok(); });
-    tick();
-    return seconds;
+    return seconds_of([&] { (void)render_image(world_, camera_, params, watch_).ok(); });
   }
 
   /// T_TR and T_TT / T_TR of each repeat.
   struct Replays {
     std::vector<double> render_seconds, shares;
   };
-  Replays replays(const RenderParams& params) {
+  Replays replays(const RenderParams& params, int repeats) {
     Replays result;
-    const auto rays = record_rays(world_, camera_, params, stop_);
-    tick();
-    for (int i = 0; i < repeats_.replay_repeats && rays && !stopped(); ++i) {
+    const auto rays = record_rays(world_, camera_, params, watch_);
+    for (int i = 0; i < repeats && rays && !watch_.stopped(); ++i) {
       const double whole = render(params);
       const double walk = seconds_of([&] { replay(world_, params, *rays, Replay::walk); });
       const double enter = seconds_of([&] { replay(world_, params, *rays, Replay::enter); });
@@ -62,26 +53,10 @@ class Experiment {
   }
 
  private:
-  void tick() {
-    ++done_;
-    if (repeats_.progress) repeats_.progress(done_, planned_);
-  }
-
   const World& world_;
   const Camera& camera_;
-  const LambdaParams& repeats_;
-  std::stop_token stop_;
-  int done_ = 0, planned_ = 0;
+  const Watch& watch_;
 };
-
-/// How many builds, renders and recordings there will be.
-int planned_runs(const LambdaParams& repeats, bool recorded_whole) {
-  const int builds = repeats.build_repeats - 1;
-  if (repeats.replay_repeats == 0) return builds + repeats.render_repeats;
-  const int extra = recorded_whole ? std::max(0, repeats.render_repeats - repeats.replay_repeats)
-                                   : repeats.render_repeats;
-  return builds + 1 + repeats.replay_repeats + extra;
-}
 
 }  // namespace
 
@@ -97,24 +72,30 @@ RenderParams recorded_picture(const RenderParams& params) {
   return smaller;
 }
 
-Result<Lambda> measure_lambda(const World& world, const Camera& camera, const RenderParams& params,
-                              const LambdaParams& repeats, std::stop_token stop) {
-  const RenderParams recorded = recorded_picture(params);
-  Experiment experiment(world, camera, repeats, stop);
-  experiment.plan(planned_runs(repeats, recorded == params));
+int planned_runs(const RenderParams& params, const LambdaParams& repeats) {
+  const int builds = repeats.build_repeats - 1, replays = repeats.replay_repeats;
+  if (replays == 0) return builds + repeats.render_repeats;
+  const int renders = recorded_picture(params) == params ? std::max(repeats.render_repeats, replays)
+                                                         : repeats.render_repeats + replays;
+  return builds + 1 + renders;  // 1: the recording
+}
 
+Result<Lambda> measure_lambda(const World& world, const Camera& camera, const RenderParams& params,
+                              const LambdaParams& repeats, const Watch& watch) {
+  Experiment experiment(world, camera, watch);
   Lambda lambda;
-  lambda.t_cb = summarise(experiment.builds());
+  lambda.t_cb = summarise(experiment.builds(repeats.build_repeats));
   std::vector<double> render_seconds;
   if (repeats.replay_repeats > 0) {
-    Experiment::Replays replays = experiment.replays(recorded);
+    const RenderParams recorded = recorded_picture(params);
+    Experiment::Replays replays = experiment.replays(recorded, repeats.replay_repeats);
     lambda.t_tt_share = summarise(std::move(replays.shares));
     if (recorded == params) render_seconds = std::move(replays.render_seconds);
   }
-  while (static_cast<int>(render_seconds.size()) < repeats.render_repeats) {
+  while (static_cast<int>(render_seconds.size()) < repeats.render_repeats && !watch.stopped()) {
     render_seconds.push_back(experiment.render(params));
   }
-  if (experiment.stopped()) return Error{"stopped"};
+  if (watch.stopped()) return Error{"stopped"};
   lambda.t_tr = summarise(std::move(render_seconds));
   return lambda;
 }

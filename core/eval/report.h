@@ -36,7 +36,8 @@ struct Report {
   Machine machine = this_machine();
 };
 
-/// One JSON object, a line for each of its sections; null for what is not defined and for what was not asked for.
+/// One JSON object, a line for each of its sections; null for what is not defined and for what was
+/// not asked for.
 std::string to_json(const Report& report);
 
 /// Aligned tables of what was asked for; a dash for what is not defined.

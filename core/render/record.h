@@ -9,7 +9,7 @@ namespace bspview {
 
 /// Every ray of the picture that render_image would make, tile after tile, in the order traced.
 Result<std::vector<RecordedRay>> record_rays(const World& world, const Camera& camera,
-                                             const RenderParams& params, std::stop_token stop = {});
+                                             const RenderParams& params, const Watch& watch = {});
 
 /// What a replay does with each recorded ray.
 enum class Replay {

@@ -11,7 +11,7 @@ struct Job {
   const Scene& scene;
   const Camera& camera;
   const RenderParams& params;
-  std::stop_token stop;
+  const Watch& watch;
 };
 
 Error stopped() {
@@ -42,6 +42,7 @@ Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const D
   Image image{params.width + border, params.height + border, {}};
   image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
 
+  const int tiles = tile_count(image.width, image.height);
   const auto trace_tile = [&](const Tile& tile, int index) {
     auto tracer = make_tracer();
     Shader shader(job.scene, params, tracer);
@@ -60,10 +61,11 @@ Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const D
       }
     }
     done(tracer, index);
+    job.watch.advance(1.0 / tiles);
   };
   with_threads(params.threads,
-               [&] { for_each_tile(image.width, image.height, job.stop, trace_tile); });
-  if (job.stop.stop_requested()) return stopped();
+               [&] { for_each_tile(image.width, image.height, job.watch.stop, trace_tile); });
+  if (job.watch.stopped()) return stopped();
   return params.spd_rules ? mean_of_corners(image) : std::move(image);
 }
 
@@ -75,17 +77,17 @@ int tiles_of(const RenderParams& params) {
 }  // namespace
 
 Result<Image> render_image(const World& world, const Camera& camera, const RenderParams& params,
-                           std::stop_token stop) {
+                           const Watch& watch) {
   return trace_image(
-      Job{world.scene, camera, params, stop},
+      Job{world.scene, camera, params, watch},
       [&] { return PlainTracer(world, trace_rules(params)); }, [](PlainTracer&, int) {});
 }
 
 Result<CountedImage> render_counted(const World& world, const Camera& camera,
-                                    const RenderParams& params, std::stop_token stop) {
+                                    const RenderParams& params, const Watch& watch) {
   std::vector<RayCounts> counts(static_cast<std::size_t>(tiles_of(params)));
   auto image = trace_image(
-      Job{world.scene, camera, params, stop},
+      Job{world.scene, camera, params, watch},
       [&] { return CountTracer(world, trace_rules(params)); },
       [&](CountTracer& tracer, int tile) {
         counts[static_cast<std::size_t>(tile)] = tracer.counts();
@@ -97,17 +99,17 @@ Result<CountedImage> render_counted(const World& world, const Camera& camera,
 }
 
 Result<Image> render_reference(const Scene& scene, const Camera& camera, const RenderParams& params,
-                               std::stop_token stop) {
+                               const Watch& watch) {
   return trace_image(
-      Job{scene, camera, params, stop}, [&] { return ReferenceTracer(scene, trace_rules(params)); },
-      [](ReferenceTracer&, int) {});
+      Job{scene, camera, params, watch},
+      [&] { return ReferenceTracer(scene, trace_rules(params)); }, [](ReferenceTracer&, int) {});
 }
 
 Result<std::vector<RecordedRay>> record_rays(const World& world, const Camera& camera,
-                                             const RenderParams& params, std::stop_token stop) {
+                                             const RenderParams& params, const Watch& watch) {
   std::vector<std::vector<RecordedRay>> tiles(static_cast<std::size_t>(tiles_of(params)));
   const auto image = trace_image(
-      Job{world.scene, camera, params, stop},
+      Job{world.scene, camera, params, watch},
       [&] { return RecordTracer(world, trace_rules(params)); },
       [&](RecordTracer& tracer, int tile) {
         tiles[static_cast<std::size_t>(tile)] = std::move(tracer.rays());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/watch.h"
 #include "core/bsp/ray_log.h"
 #include "core/bsp/traversal.h"
 #include "core/render/ray_counts.h"
@@ -33,9 +34,9 @@ struct Image {
 };
 
 /// One complete picture, with nothing counted: the timed path.
-/// Fails, with the error "stopped", only when `stop` was requested.
+/// Fails, with the error "stopped", only when a stop was requested.
 Result<Image> render_image(const World& world, const Camera& camera, const RenderParams& params,
-                           std::stop_token stop = {});
+                           const Watch& watch = {});
 
 /// The same picture, bit for bit, with what its rays cost.
 struct CountedImage {
@@ -43,11 +44,11 @@ struct CountedImage {
   RayCounts counts;
 };
 Result<CountedImage> render_counted(const World& world, const Camera& camera,
-                                    const RenderParams& params, std::stop_token stop = {});
+                                    const RenderParams& params, const Watch& watch = {});
 
 /// The same picture by brute force in double precision, without a tree.
 Result<Image> render_reference(const Scene& scene, const Camera& camera, const RenderParams& params,
-                               std::stop_token stop = {});
+                               const Watch& watch = {});
 
 /// State of a progressive picture. Buffers have width x height entries, row-major, top row first.
 struct Frame {

@@ -18,9 +18,9 @@ struct SmallWorld {
 
 TEST(MeasureLambda, RepeatsEachMeasurementAsOftenAsAsked) {
   const SmallWorld small;
-  const auto lambda = measure_lambda(
-      small.world(), small.scene.camera, small.params,
-      {.build_repeats = 3, .render_repeats = 7, .replay_repeats = 5, .progress = {}});
+  const auto lambda =
+      measure_lambda(small.world(), small.scene.camera, small.params,
+                     {.build_repeats = 3, .render_repeats = 7, .replay_repeats = 5});
   ASSERT_TRUE(lambda.ok());
   EXPECT_EQ(lambda->t_cb->repeats, 3);
   EXPECT_EQ(lambda->t_tr->repeats, 7);
@@ -32,38 +32,35 @@ TEST(MeasureLambda, RepeatsEachMeasurementAsOftenAsAsked) {
 TEST(MeasureLambda, TheBuildOfTheTreeCounts) {
   SmallWorld small;
   small.tree.build_seconds = 123.0;
-  const auto lambda = measure_lambda(
-      small.world(), small.scene.camera, small.params,
-      {.build_repeats = 1, .render_repeats = 1, .replay_repeats = 0, .progress = {}});
+  const auto lambda =
+      measure_lambda(small.world(), small.scene.camera, small.params,
+                     {.build_repeats = 1, .render_repeats = 1, .replay_repeats = 0});
   EXPECT_EQ(*lambda->t_cb, (Measured{123.0, 0.0, 1}));
   EXPECT_EQ(lambda->t_tr->repeats, 1);
   EXPECT_FALSE(lambda->t_tt_share);
 }
 
-TEST(MeasureLambda, ProgressEndsAtWhatWasPlanned) {
-  const SmallWorld small;
+TEST(MeasureLambda, ProgressAddsUpToWhatWasPlanned) {
+  SmallWorld small;
+  small.params.threads = 1;
   for (const auto& [builds, renders, replays] :
        {std::array{1, 1, 5}, std::array{3, 7, 5}, std::array{2, 4, 0}}) {
-    int last = 0, planned = 0;
-    const LambdaParams repeats{.build_repeats = builds,
-                               .render_repeats = renders,
-                               .replay_repeats = replays,
-                               .progress = [&](int done, int all) {
-                                 EXPECT_EQ(done, last + 1);
-                                 last = done;
-                                 planned = all;
-                               }};
-    ASSERT_TRUE(measure_lambda(small.world(), small.scene.camera, small.params, repeats).ok());
-    EXPECT_EQ(last, planned);
+    const LambdaParams repeats{builds, renders, replays};
+    double done = 0.0;
+    Watch watch;
+    watch.progress = [&](double more) { done += more; };
+    ASSERT_TRUE(
+        measure_lambda(small.world(), small.scene.camera, small.params, repeats, watch).ok());
+    EXPECT_NEAR(done, planned_runs(small.params, repeats), 1e-9);
   }
 }
 
 TEST(MeasureLambda, AStopEndsItWithoutAResult) {
   const SmallWorld small;
   std::stop_source stop;
-  const LambdaParams repeats{.progress = [&](int, int) { stop.request_stop(); }};
-  const auto lambda =
-      measure_lambda(small.world(), small.scene.camera, small.params, repeats, stop.get_token());
+  Watch watch(stop.get_token());
+  watch.progress = [&](double) { stop.request_stop(); };
+  const auto lambda = measure_lambda(small.world(), small.scene.camera, small.params, {}, watch);
   ASSERT_FALSE(lambda.ok());
   EXPECT_EQ(lambda.error().message, "stopped");
 }
