@@ -13,6 +13,8 @@ using namespace std::chrono_literals;
 
 constexpr auto patience = 40ms;     // see Stage: a dropped build or picture ends within it
 constexpr auto rest_after = 150ms;  // without motion of the camera
+constexpr auto tooltip_after = 400ms;  // without motion of the pointer
+constexpr auto overdue_nap = 15ms;     // see Stage::overdue
 
 }  // namespace
 
@@ -30,7 +32,8 @@ App::App(State state, std::function<void()> wake)
 void App::frame(Interface& interface, const WindowSize& size) {
   advance();
   widgets_.clear();
-  const Ui ui{interface.fonts(), interface.palette(), interface.scale(), widgets_};
+  watch_pointer();
+  const Ui ui{interface.fonts(), interface.palette(), interface.scale(), !tooltips_due_, widgets_};
   const Vec2 window(static_cast<float>(size.width), static_cast<float>(size.height));
   for (const Action action : pressed_actions(ImGui::GetIO())) perform(action);
   std::vector<Action> chosen;
@@ -83,13 +86,23 @@ bool App::busy() const {
          measures_.busy();
 }
 
-bool App::restless() const {
-  return moving() || trees_.overdue() || pictures_.overdue() || paths_.overdue() ||
-         overlays_.overdue();
+std::optional<double> App::next_frame_in() const {
+  std::optional<double> soonest;
+  const auto due = [&soonest](Clock::duration in) {
+    const double seconds = std::max(0.0, std::chrono::duration<double>(in).count());
+    soonest = std::min(seconds, soonest.value_or(seconds));
+  };
+  const Clock::time_point now = Clock::now();
+  if (was_moving_) due(last_motion_ + rest_after - now);
+  if (tooltips_due_) due(pointer_moved_ + tooltip_after - now);
+  if (trees_.overdue() || pictures_.overdue() || paths_.overdue() || overlays_.overdue())
+    due(overdue_nap);
+  return soonest;
 }
 
 /// Why is it recomputing: here.
 void App::advance() {
+  was_moving_ = moving();
   scenes_.want(SceneRequest{state_.source, state_.load_attempt});
   want_tree();
   watch_scene();
@@ -133,15 +146,17 @@ void App::want_overlay() {
                          .path_visible = path,
                          .selection = state_.ray,
                          .line_width = state_.look.scale,
-                         .moving = moving()};
+                         .moving = was_moving_};
   if (state_.boxes.visible) request.boxes = state_.boxes;
+  // Coarse pixels have no borders worth drawing.
+  if (request.boxes) request.boxes->borders &= picture->counted;
   if (state_.hovered_step) request.selection.step = *state_.hovered_step;
   overlays_.want(request);
 }
 
 void App::want_measures() {
   const std::shared_ptr<const Picture>& picture = pictures_.value();
-  const bool at_rest = picture && !pictures_.busy() && !trees_.busy() && !moving();
+  const bool at_rest = picture && !pictures_.busy() && !trees_.busy() && !was_moving_;
   if (at_rest && state_.measure_times)
     measures_.want(
         MeasureRequest{picture->request.tree, picture->request.camera, render_params(1)});
@@ -204,6 +219,13 @@ void App::watch_edits() {
   if (ImGui::IsAnyItemActive()) return;
   editing_ = false;
   history_.commit(setting());
+}
+
+/// Tooltips wait for the pointer to rest.
+void App::watch_pointer() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f) pointer_moved_ = Clock::now();
+  tooltips_due_ = !io.MouseDown[0] && Clock::now() - pointer_moved_ < tooltip_after;
 }
 
 bool App::moving() const {

@@ -39,8 +39,8 @@ class App {
 
   /// Something is being computed.
   bool busy() const;
-  /// The next frame is due soon, without any event.
-  bool restless() const;
+  /// Seconds until a frame is due without any event; nullopt: none is.
+  std::optional<double> next_frame_in() const;
 
   bool take_quit() { return std::exchange(quit_, false); }
   bool take_full_screen() { return std::exchange(full_screen_, false); }
@@ -67,6 +67,7 @@ class App {
   void watch_camera();
   void watch_edits();
   bool moving() const;
+  void watch_pointer();
   Setting setting() const { return {state_.build, state_.picture.traversal}; }
   void restore(const Setting& setting);
   RenderParams render_params(int samples) const;
@@ -81,7 +82,9 @@ class App {
   bool editing_ = false;
   std::shared_ptr<const LoadedScene> camera_scene_;  // the scene that state_.view.camera is for
   std::optional<Camera> last_camera_;
-  Clock::time_point last_motion_;
+  Clock::time_point last_motion_;   // of the camera
+  Clock::time_point pointer_moved_;  // last
+  bool was_moving_ = false, tooltips_due_ = false;
   bool quit_ = false, full_screen_ = false, screenshot_ = false;
 
   Stage<SceneRequest, LoadedScene> scenes_;

@@ -22,7 +22,7 @@ WindowSize window_size(const ViewerOptions& options) {
 void settle(Session& session, const WindowSize& size, Bell& bell) {
   for (int idle_frames = 0; idle_frames < 3;) {
     session.frame(size, frame_seconds);
-    const bool idle = !session.app().busy() && !session.app().restless() && session.input().empty();
+    const bool idle = !session.app().busy() && !session.app().next_frame_in() && session.input().empty();
     idle_frames = idle ? idle_frames + 1 : 0;
     if (!idle) bell.wait(longest_nap);
   }

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int frames_after_event = 3;        // Dear ImGui's answer to an event takes two
 constexpr double shortest_frame = 1.0 / 60;  // seconds; not every display waits for its refresh
-constexpr double restless_nap = 0.02;        // seconds
 constexpr double minimised_nap = 0.1;        // seconds
 
 std::string screenshot_name() {
@@ -40,11 +39,8 @@ class Loop {
       if (window_.take_event()) frames_due_ = frames_after_event;
       if (news_.exchange(false)) frames_due_ = std::max(frames_due_, 1);
       take_drops();
-      // One more frame after the last restless one shows that it is over.
-      const bool restless = session_.app().restless();
-      if (!session_.input().empty() || restless || was_restless_)
-        frames_due_ = std::max(frames_due_, 1);
-      was_restless_ = restless;
+      const std::optional<double> due = session_.app().next_frame_in();
+      if (!session_.input().empty() || (due && *due <= 0.0)) frames_due_ = std::max(frames_due_, 1);
       if (frames_due_ == 0 || since_frame_.seconds() < shortest_frame) continue;
       if (const Result<void> drawn = draw(); !drawn) return drawn;
     }
@@ -55,8 +51,7 @@ class Loop {
   std::optional<double> nap() const {
     if (window_.size().empty()) return minimised_nap;
     if (frames_due_ > 0 || news_) return std::max(0.0, shortest_frame - since_frame_.seconds());
-    if (was_restless_) return restless_nap;
-    return std::nullopt;
+    return session_.app().next_frame_in();
   }
 
   Result<void> draw() {
@@ -101,7 +96,6 @@ class Loop {
   ExportedFile ui_map_, state_file_;
   Timer since_frame_;
   int frames_due_ = frames_after_event;
-  bool was_restless_ = false;
 };
 
 }  // namespace

@@ -15,6 +15,7 @@ struct Ui {
   const Fonts& fonts;
   const Palette& palette;
   float scale;         ///< pixels of the window for one pixel of the design
+  bool tooltips;       ///< the pointer rests
   WidgetMap& widgets;  ///< takes down every widget of the frame
 
   float px(float design_pixels) const { return design_pixels * scale; }

@@ -93,7 +93,8 @@ bool button(const Ui& ui, const Label& label) {
 }
 
 void tooltip(const Ui& ui, std::string_view text) {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (text.empty() || !ui.tooltips || ImGui::IsAnyItemActive()) return;
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const StyleScope padding(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(8), ui.px(6)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ui.px(tooltip_width));

@@ -1,0 +1,142 @@
+#include "app/viewer/app.h"
+
+#include <gtest/gtest.h>
+
+#include "app/viewer/key.h"
+#include "tests/gui/app_rig.h"
+
+namespace bspview {
+namespace {
+
+/// A small scene that is there at once.
+State small_scene() {
+  State state;
+  state.source = state.source_text = "spd:balls:2";
+  state.picture.samples = 1;
+  state.measure_times = false;
+  return state;
+}
+
+TEST(App, ShowsTheFirstSceneWithAllItsNumbers) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.results().picture);
+  EXPECT_TRUE(rig.results().picture->converged());
+  EXPECT_EQ(rig.results().scene->counts.objects, 92u);
+  ASSERT_TRUE(rig.results().now);
+  EXPECT_TRUE(rig.results().now->delta.n_at);
+  EXPECT_FALSE(rig.results().before);
+}
+
+TEST(App, DraggingASliderIsOneStepOfUndoAndOneComparison) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  const std::uint64_t leaves = rig.results().now->delta.n_ls;
+  rig.move(rig.point_of("build.leaf_size", 0.05f));
+  rig.press();
+  for (const float share : {0.1f, 0.3f, 0.5f, 0.7f}) {
+    rig.move(rig.point_of("build.leaf_size", share));
+    ASSERT_TRUE(rig.settle());
+  }
+  EXPECT_GT(rig.state().build.leaf_size, 3);
+  EXPECT_LT(rig.results().now->delta.n_ls, leaves);
+  EXPECT_EQ(rig.results().before->delta.n_ls, leaves);
+  rig.release();
+  rig.act();
+  rig.app().perform(Action::undo);
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.state().build.leaf_size, 1);
+  EXPECT_EQ(rig.results().now->delta.n_ls, leaves);
+  rig.app().perform(Action::redo);
+  EXPECT_GT(rig.state().build.leaf_size, 3);
+}
+
+TEST(App, ABrokenSceneLeavesTheOldOneAndASentence) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  rig.app().open("/nowhere/at/all.nff");
+  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.results().scene_error);
+  EXPECT_NE(rig.results().scene_error->message.find("/nowhere/at/all.nff"), std::string::npos);
+  EXPECT_EQ(rig.results().scene->counts.objects, 92u);
+  EXPECT_TRUE(rig.results().picture);
+}
+
+TEST(App, ATreeNeverChangesThePixels) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  const auto pixels = rig.results().picture->pixels;
+  rig.app().state().build.builder = Builder::median;
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.results().picture->request.tree->request.params.builder, Builder::median);
+  EXPECT_EQ(rig.results().picture->pixels, pixels);
+}
+
+TEST(App, AClickPicksThePixelUnderThePointerAndFollowsItsRays) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  const Vec2 middle = rig.middle_of("view");
+  rig.click(middle);
+  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.state().pick);
+  EXPECT_EQ(rig.state().pick->pixel.column, static_cast<int>(middle.x - rig.app().view().x));
+  ASSERT_TRUE(rig.results().rays);
+  EXPECT_FALSE(rig.results().rays->front().log.steps.empty());
+  ASSERT_TRUE(rig.results().overlay);
+  EXPECT_GT(rig.results().overlay->lines, 0u);
+  rig.key(key::right);
+  EXPECT_EQ(rig.state().pick->pixel.column, static_cast<int>(middle.x - rig.app().view().x) + 1);
+  rig.key(key::escape);
+  EXPECT_FALSE(rig.state().pick);
+}
+
+TEST(App, ADragTurnsTheCameraAndPicksNothing) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  const Camera home = rig.results().picture->request.camera;
+  const Vec2 middle = rig.middle_of("view");
+  rig.move(middle);
+  rig.act();
+  rig.press();
+  rig.move(middle + Vec2(80, 10));
+  rig.act();
+  rig.release();
+  ASSERT_TRUE(rig.settle());
+  EXPECT_NE(rig.results().picture->request.camera, home);
+  EXPECT_FALSE(rig.state().pick);
+  rig.key('R');
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.results().picture->request.camera, home);
+}
+
+TEST(App, OverlaysThatAreHiddenAreNotDrawn) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  EXPECT_FALSE(rig.results().overlay);
+  rig.key('B');
+  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.results().overlay);
+  EXPECT_GT(rig.results().overlay->lines, 0u);
+  rig.key('B');
+  EXPECT_FALSE(rig.results().overlay);
+}
+
+TEST(App, NothingRunsOnceThePictureIsConverged) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  for (int i = 0; i < 5; ++i) rig.frame();
+  EXPECT_FALSE(rig.app().busy());
+  EXPECT_FALSE(rig.app().next_frame_in());
+}
+
+TEST(App, ASceneNobodyHasLeavesAnEmptyView) {
+  State state = small_scene();
+  state.source = "spd:nothing";
+  AppRig rig(std::move(state));
+  ASSERT_TRUE(rig.settle());
+  EXPECT_TRUE(rig.results().scene_error);
+  EXPECT_FALSE(rig.results().picture);
+}
+
+}  // namespace
+}  // namespace bspview
