@@ -12,12 +12,13 @@ namespace {
 
 using namespace bspview;
 
-/// A screenshot is the same for everyone: it takes nothing from the user's settings.
+/// Screenshots and scripts are the same for everyone: they take nothing from the user's settings.
 Result<void> run(const ViewerOptions& options) {
   State state;
-  if (!options.screenshot.empty()) {
+  if (!options.screenshot.empty() || !options.script.empty()) {
     apply_options(options, state);
-    return run_screenshot(options, std::move(state));
+    return options.script.empty() ? run_screenshot(options, std::move(state))
+                                  : run_script(options, std::move(state));
   }
   const std::filesystem::path file = settings_file();
   Settings settings = load_settings(file);

@@ -56,8 +56,8 @@ void set_widget_colors(ImVec4* colors, const Palette& p) {
   colors[ImGuiCol_FrameBgHovered] = mix(p.field, p.accent, 0.12f);
   colors[ImGuiCol_FrameBgActive] = mix(p.field, p.accent, 0.2f);
   colors[ImGuiCol_CheckMark] = p.accent;
-  colors[ImGuiCol_SliderGrab] = p.accent;
-  colors[ImGuiCol_SliderGrabActive] = mix(p.accent, p.text, 0.25f);
+  colors[ImGuiCol_SliderGrab] = mix(p.field, p.accent, 0.6f);  // values stay readable on it
+  colors[ImGuiCol_SliderGrabActive] = mix(p.field, p.accent, 0.8f);
   colors[ImGuiCol_Button] = p.field;
   colors[ImGuiCol_ButtonHovered] = mix(p.field, p.accent, 0.25f);
   colors[ImGuiCol_ButtonActive] = mix(p.field, p.accent, 0.45f);

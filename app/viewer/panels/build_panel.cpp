@@ -15,6 +15,10 @@ namespace bspview {
 namespace {
 
 constexpr int largest_leaf_size = 64;
+constexpr float automatic_width = 58.0f;  // design pixels, of the check box beside the depth
+constexpr Label depth_label{"build.max_depth", "Maximal depth",
+                            "A node at this depth becomes a leaf. The root has depth 0. "
+                            "Keys [ and ]"};
 constexpr float mib = 1024.0f * 1024.0f;
 
 std::size_t object_count(const Results& results) {
@@ -45,22 +49,17 @@ void builder_row(const Ui& ui, BuildParams& params) {
 
 void depth_row(const Ui& ui, const Results& results, BuildParams& params) {
   int depth = effective_depth(params, object_count(results));
-  if (slider_row(ui,
-                 {"build.max_depth", "Maximal depth",
-                  "A node at this depth becomes a leaf. The root has depth 0. Keys [ and ]"},
-                 depth, {0, depth_cap, params.max_depth ? "%d" : "%d (automatic)"}))
+  begin_row(ui, depth_label);
+  ImGui::SetNextItemWidth(-ui.px(automatic_width));
+  if (ImGui::SliderInt("##depth", &depth, 0, depth_cap, "%d", ImGuiSliderFlags_AlwaysClamp))
     params.max_depth = depth;
-}
-
-void automatic_depth_row(const Ui& ui, const Results& results, BuildParams& params) {
+  ui.note(depth_label.name);
+  tooltip(ui, depth_label.tooltip);
+  ImGui::SameLine();
   bool automatic = !params.max_depth;
-  if (!check_row(ui,
-                 {"build.auto_depth", "Automatic depth",
-                  "round(8 + 1.3 log2 N) for N objects, as in pbrt"},
-                 automatic))
-    return;
-  const int depth = effective_depth(params, object_count(results));
-  params.max_depth = automatic ? std::nullopt : std::optional(depth);
+  if (check_row(ui, {"build.auto_depth", "auto", "round(8 + 1.3 log2 N) for N objects, as in pbrt"},
+                automatic))
+    params.max_depth = automatic ? std::nullopt : std::optional(depth);
 }
 
 void clip_row(const Ui& ui, BuildParams& params) {
@@ -78,15 +77,25 @@ void clip_row(const Ui& ui, BuildParams& params) {
     params.clip = index == 0 ? std::nullopt : std::optional(index == 1);
 }
 
+void cost_field(const Ui& ui, const Label& label, float& value) {
+  const IdScope id(label.name);
+  ImGui::DragFloat("##cost", &value, 0.02f, 0.01f, 1000.0f, label.text,
+                   ImGuiSliderFlags_AlwaysClamp);
+  ui.note(label.name);
+  tooltip(ui, label.tooltip);
+}
+
 void cost_rows(const Ui& ui, BuildParams& params) {
   const DisabledScope scope(disabled(!has_costs(params.builder)));
-  slider_row(ui,
-             {"build.cost_traversal", "Cost C_T",
-              "Of visiting an inner node; only the ratio to "
-              "the cost of a test matters."},
-             params.cost_traversal, {0.0f, 20.0f, "%.2f"});
-  slider_row(ui, {"build.cost_intersection", "Cost C_I", "Of testing one object against a ray."},
-             params.cost_intersection, {0.0f, 80.0f, "%.2f"});
+  begin_row(ui, {"build.costs", "Costs", "Of a node and of a test; only their ratio matters."});
+  const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+  ImGui::SetNextItemWidth(half);
+  cost_field(ui, {"build.cost_traversal", "node %.2f", "C_T: of visiting an inner node."},
+             params.cost_traversal);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(half);
+  cost_field(ui, {"build.cost_intersection", "test %.2f", "C_I: of testing an object."},
+             params.cost_intersection);
   slider_row(ui,
              {"build.empty_bonus", "Empty bonus",
               "Share of the cost that a split with one empty side is spared."},
@@ -136,7 +145,6 @@ void build_panel(const Ui& ui, const Results& results, State& state) {
   {
     const DisabledScope scope(disabled(params.builder == Builder::naive));
     depth_row(ui, results, params);
-    automatic_depth_row(ui, results, params);
     slider_row(ui,
                {"build.leaf_size", "Leaf size",
                 "A node with at most as many objects becomes a leaf. Keys { and }"},

@@ -1,5 +1,9 @@
 #include "app/viewer/panels/help_overlay.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "app/viewer/actions.h"
 #include "app/viewer/panels/scopes.h"
 #include "app/viewer/panels/widgets.h"
@@ -7,33 +11,55 @@
 namespace bspview {
 namespace {
 
-void heading(const Ui& ui, const char* text) {
-  const FontScope bold(ui.fonts.bold);
-  ImGui::TextUnformatted(text);
-}
+constexpr float key_gap = 18.0f, column_gap = 36.0f;  // design pixels
 
-void row(const Ui& ui, const std::string& keys, const char* text) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(keys.c_str());
-  ImGui::TableNextColumn();
-  dim_text(ui, text);
-}
+struct HelpRow {
+  std::string keys;
+  const char* text;
+};
 
-void keys_of(const Ui& ui, Menu menu) {
-  heading(ui, title_of(menu));
-  const TableScope table(title_of(menu), 2, ImGuiTableFlags_SizingFixedFit);
-  if (!table) return;
+std::vector<HelpRow> rows_of(Menu menu) {
+  std::vector<HelpRow> rows;
   for (const KeyBinding& binding : key_bindings())
     if (binding.menu == menu && !binding.chords.empty())
-      row(ui, chords_text(binding), binding.text);
+      rows.push_back({chords_text(binding), binding.text});
+  return rows;
 }
 
-void mouse_rows(const Ui& ui) {
-  heading(ui, "Mouse");
-  const TableScope table("mouse", 2, ImGuiTableFlags_SizingFixedFit);
-  if (!table) return;
-  for (const MouseBinding& binding : mouse_bindings()) row(ui, binding.gesture, binding.text);
+std::vector<HelpRow> mouse_rows() {
+  std::vector<HelpRow> rows;
+  for (const MouseBinding& binding : mouse_bindings())
+    rows.push_back({binding.gesture, binding.text});
+  return rows;
+}
+
+void block(const Ui& ui, const char* title, const std::vector<HelpRow>& rows) {
+  {
+    const FontScope bold(ui.fonts.bold);
+    ImGui::TextUnformatted(title);
+  }
+  float width = 0.0f;
+  for (const HelpRow& row : rows) width = std::max(width, ImGui::CalcTextSize(row.keys.c_str()).x);
+  const float from = ImGui::GetCursorPosX();
+  for (const HelpRow& row : rows) {
+    ImGui::TextUnformatted(row.keys.c_str());
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(from + width + ui.px(key_gap));
+    dim_text(ui, row.text);
+  }
+  ImGui::Dummy({0.0f, ui.px(4)});
+}
+
+void columns(const Ui& ui) {
+  ImGui::BeginGroup();
+  block(ui, title_of(Menu::view), rows_of(Menu::view));
+  block(ui, "Mouse", mouse_rows());
+  ImGui::EndGroup();
+  ImGui::SameLine(0.0f, ui.px(column_gap));
+  ImGui::BeginGroup();
+  for (const Menu menu : {Menu::file, Menu::edit, Menu::window, Menu::help})
+    block(ui, title_of(menu), rows_of(menu));
+  ImGui::EndGroup();
 }
 
 }  // namespace
@@ -49,14 +75,8 @@ bool help_overlay(const Ui& ui, const Rect& window) {
   ImGui::Begin("##help", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
-  if (const TableScope columns("columns", 2, ImGuiTableFlags_SizingFixedFit); columns) {
-    ImGui::TableNextColumn();
-    for (const Menu menu : {Menu::view, Menu::help}) keys_of(ui, menu);
-    mouse_rows(ui);
-    ImGui::TableNextColumn();
-    for (const Menu menu : {Menu::file, Menu::edit, Menu::window}) keys_of(ui, menu);
-    if (button(ui, {"help.close", "Close", "Esc"})) open = false;
-  }
+  columns(ui);
+  if (button(ui, {"help.close", "Close", ""})) open = false;
   ImGui::SetWindowFocus();
   ImGui::End();
   return open;

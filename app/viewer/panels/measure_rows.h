@@ -9,14 +9,14 @@ namespace bspview {
 
 /// One component of Delta or Lambda as the panel shows it.
 struct MeasureRow {
-  const char* name;  ///< as in JSON, N_LS
-  const char* base;  ///< symbol: N with the subscript LS
-  const char* index;
-  std::string meaning;   ///< a sentence, then the formula on a line of its own
-  std::string now;       ///< "–": not defined or not known yet
-  std::string before;    ///< "" when there is no previous setting
-  std::string change;    ///< "+12 %"; "" when the two cannot be compared
-  double direction = 0;  ///< below 0: fell, above 0: rose
+  const char* name;     ///< as in JSON: N_LS
+  const char* symbol;   ///< as the paper writes it; see symbols()
+  std::string meaning;  ///< sentences, then the formula on a line of its own
+  bool derived = false;
+  std::string now;     ///< "–": not defined, or not known yet
+  std::string before;  ///< "" when there is no previous setting
+  std::string change;  ///< "+12 %"; "" when the two cannot be compared
+  double benefit = 0;  ///< above 0: the current setting costs less, below 0: more
 };
 
 /// `before` may be null.

@@ -12,12 +12,12 @@
 namespace bspview {
 namespace {
 
-constexpr float symbol_width = 76.0f, change_width = 58.0f;  // design pixels
+constexpr float symbol_width = 72.0f, change_width = 56.0f, row_padding = 4.5f;  // design pixels
 constexpr ImGuiTableFlags measure_table = ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
 
-const ImVec4& change_color(const Ui& ui, double direction) {
-  if (direction == 0.0) return ui.palette.dim_text;
-  return direction < 0.0 ? ui.palette.better : ui.palette.worse;
+const ImVec4& change_color(const Ui& ui, double benefit) {
+  if (benefit == 0.0) return ui.palette.dim_text;
+  return benefit > 0.0 ? ui.palette.better : ui.palette.worse;
 }
 
 void heading(const Ui& ui, const char* letter, const char* word, const char* text) {
@@ -42,11 +42,11 @@ void table_head(const Ui& ui, const char* letter, const char* word, const char* 
 }
 
 void measure_row(const Ui& ui, const MeasureRow& row) {
-  ImGui::TableNextRow();
+  ImGui::TableNextRow(0, ImGui::GetTextLineHeight() + ui.px(row_padding));
   ImGui::TableNextColumn();
   ImGui::BeginGroup();
-  symbol(ui, {row.base, row.index});
-  if (std::string_view(row.name) == "N_AOIAL") {
+  symbols(ui, row.symbol);
+  if (row.derived) {
     ImGui::SameLine(0.0f, ui.px(3));
     dim_text(ui, "*");
   }
@@ -59,7 +59,7 @@ void measure_row(const Ui& ui, const MeasureRow& row) {
   ImGui::TableNextColumn();
   right_aligned(row.before);
   ImGui::TableNextColumn();
-  const ColorScope color(ImGuiCol_Text, change_color(ui, row.direction));
+  const ColorScope color(ImGuiCol_Text, change_color(ui, row.benefit));
   right_aligned(row.change);
 }
 

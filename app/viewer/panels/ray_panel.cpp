@@ -41,6 +41,11 @@ void ray_list(const Ui& ui, const PixelRays& rays, RaySelection& selection) {
   ImGui::EndChild();
 }
 
+/// "x = 1.25: near, far" or "leaf: 2, hits object 7 at 1.31".
+std::string walk_text(const RayTableRow& row) {
+  return row.split.empty() ? row.visits + ": " + row.tests : row.split + ": " + row.visits;
+}
+
 void step_row(const Ui& ui, const RayTableRow& row, int index, State& state) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -50,23 +55,25 @@ void step_row(const Ui& ui, const RayTableRow& row, int index, State& state) {
     state.ray.step = state.ray.step == index ? -1 : index;
   if (ImGui::IsItemHovered()) state.hovered_step = index;
   ui.note(fmt::format("step.{}", index));
-  for (const std::string* cell :
-       {&row.node, &row.visits, &row.split, &row.t_split, &row.interval, &row.tests}) {
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(cell->c_str());
-  }
+  if (!row.t_split.empty()) tooltip(ui, "Meets the plane at t = " + row.t_split);
+  ImGui::TableNextColumn();
+  dim_text(ui, row.node);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(walk_text(row).c_str());
+  ImGui::TableNextColumn();
+  dim_text(ui, row.interval);
 }
 
 void step_table(const Ui& ui, const PathRay& ray, State& state) {
   const std::vector<RayTableRow> rows = ray_table(ray);
-  const TableScope table("steps", 7,
+  const TableScope table("steps", 4,
                          ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                              ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings,
                          ImGui::GetContentRegionAvail());
   if (!table) return;
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const std::string_view head : ray_table_heads())
-    ImGui::TableSetupColumn(std::string(head).c_str());
+  for (const char* head : {"#", "node", "plane, or tests in the leaf", "t in the cell"})
+    ImGui::TableSetupColumn(head);
   {
     const ColorScope dim(ImGuiCol_Text, ui.palette.dim_text);
     ImGui::TableHeadersRow();

@@ -9,9 +9,9 @@
 namespace bspview {
 namespace {
 
-constexpr float label_width = 96.0f;     // design pixels
-constexpr float tooltip_width = 360.0f;  // design pixels
-constexpr float subscript_scale = 0.78f;
+constexpr float label_width = 96.0f;                              // design pixels
+constexpr float tooltip_width = 360.0f;                           // design pixels
+constexpr float subscript_scale = 0.74f, subscript_drop = 0.36f;  // of the text's size
 
 std::string hidden_label(const Label& label) {
   return std::string("##") + label.name;
@@ -122,17 +122,28 @@ void right_aligned(std::string_view text) {
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
 }
 
-void symbol(const Ui& ui, const Symbol& symbol) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
+void symbols(const Ui& ui, std::string_view text) {
   const float size = ImGui::GetFontSize(), small = std::round(size * subscript_scale);
-  const ImVec2 base = ImGui::CalcTextSize(symbol.base);
-  const ImVec2 index = ui.fonts.text->CalcTextSizeA(small, 1e9f, 0.0f, symbol.index);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float drop = std::round(subscript_drop * size);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
-  list.AddText(at, color, symbol.base);
-  list.AddText(ui.fonts.text, small, {at.x + base.x, at.y + std::round(0.38f * size)}, color,
-               symbol.index);
-  ImGui::Dummy({base.x + index.x, ImGui::GetTextLineHeight()});
+  float x = at.x;
+  const auto draw = [&](std::string_view part, float font_size, float y) {
+    const char* begin = part.data();
+    const char* end = begin + part.size();
+    ImGui::GetWindowDrawList()->AddText(ui.fonts.text, font_size, {x, y}, color, begin, end);
+    x += ui.fonts.text->CalcTextSizeA(font_size, 1e9f, 0.0f, begin, end).x;
+  };
+  while (!text.empty()) {
+    const std::size_t mark = std::min(text.find('_'), text.size());
+    draw(text.substr(0, mark), size, at.y);
+    text.remove_prefix(std::min(mark + 1, text.size()));
+    if (mark == 0 && text.empty()) break;
+    const std::size_t end = std::min(text.find(' '), text.size());
+    draw(text.substr(0, end), small, at.y + drop);
+    text.remove_prefix(end);
+  }
+  ImGui::Dummy({x - at.x, ImGui::GetTextLineHeight()});
 }
 
 }  // namespace bspview

@@ -47,11 +47,7 @@ void dim_text(const Ui& ui, std::string_view text);
 void wrapped_text(const Ui& ui, std::string_view text, const ImVec4& color);
 void right_aligned(std::string_view text);
 
-/// A mathematical symbol with a subscript, N_LS for {"N", "LS"}.
-struct Symbol {
-  const char* base;
-  const char* index;
-};
-void symbol(const Ui& ui, const Symbol& symbol);
+/// Mathematics: what follows an underscore, up to a space, is a subscript.
+void symbols(const Ui& ui, std::string_view text);
 
 }  // namespace bspview
