@@ -89,7 +89,7 @@ TEST_F(Render, NothingInViewLeavesTheRatioOfTestsUndefined) {
 
 TEST_F(Render, HeatMapSaysWhatItsColoursMean) {
   for (const std::string heat : {"nodes", "tests", "leaves", "depth"}) {
-    const Outcome outcome = run("render s.nff -o " + heat + ".png --heat " + heat);
+    const Outcome outcome = run("render spd:jacks --size 40x30 -o " + heat + ".png --heat " + heat);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err.rfind("heat map: " + heat + " of the eye ray, viridis from ", 0), 0u)
         << outcome.err;
