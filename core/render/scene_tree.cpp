@@ -7,7 +7,7 @@
 namespace bspview {
 namespace {
 
-Aabb clip_object(const Scene& scene, std::uint32_t id, const Aabb& cell) {
+Aabb clip_object(const Scene& scene, std::uint32_t id, const Aabb& box, const Aabb& cell) {
   const Object& object = scene.objects[id];
   switch (object.kind) {
     case ObjectKind::sphere:
@@ -18,7 +18,7 @@ Aabb clip_object(const Scene& scene, std::uint32_t id, const Aabb& cell) {
     case ObjectKind::polygon:
       break;
   }
-  return clip_polygon(vertices_of(scene, scene.faces[object.shape]), cell);
+  return clip_polygon(vertices_of(scene, scene.faces[object.shape]), box, cell);
 }
 
 }  // namespace
@@ -30,8 +30,8 @@ SceneBuildInput::SceneBuildInput(const Scene& scene) : scene_(scene), boxes_(obj
 }
 
 BuildInput SceneBuildInput::input() const {
-  return {boxes_, [&scene = scene_](std::uint32_t id, const Aabb& cell) {
-            return clip_object(scene, id, cell);
+  return {boxes_, [this](std::uint32_t id, const Aabb& cell) {
+            return clip_object(scene_, id, boxes_[id], cell);
           }};
 }
 

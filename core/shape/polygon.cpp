@@ -67,21 +67,51 @@ class ClipBuffer {
 struct HalfSpace {
   int axis;
   double sign, bound, margin;
-  double inside_by(Vec3d p) const { return sign * (p[axis] - bound) + margin; }
+  double removed;  // share of the polygon's box that is outside
+  template <class Point>
+  double inside_by(const Point& p) const {
+    return sign * (p[axis] - bound) + margin;
+  }
+};
+
+/// The sides of `cell` that cut a polygon with box `whole`, the one that removes most first.
+class Cuts {
+ public:
+  Cuts(const Aabb& whole, const Aabb& cell, double margin) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double width = static_cast<double>(whole.hi[axis]) - whole.lo[axis];
+      const double below = static_cast<double>(cell.lo[axis]) - whole.lo[axis];
+      const double above = static_cast<double>(whole.hi[axis]) - cell.hi[axis];
+      if (below > 0.0) add({axis, 1.0, cell.lo[axis], margin, below / width});
+      if (above > 0.0) add({axis, -1.0, cell.hi[axis], margin, above / width});
+    }
+  }
+  std::span<const HalfSpace> all() const { return std::span(cuts_).first(count_); }
+
+ private:
+  void add(const HalfSpace& cut) {
+    cuts_[count_] = cut;
+    if (cut.removed > cuts_[0].removed) std::swap(cuts_[0], cuts_[count_]);
+    ++count_;
+  }
+
+  std::array<HalfSpace, 6> cuts_;
+  std::size_t count_ = 0;
 };
 
 /// One step of Sutherland & Hodgman (1974).
-void clip_once(std::span<const Vec3d> in, const HalfSpace& half, ClipBuffer& out) {
+template <class Point>
+void clip_once(std::span<const Point> in, const HalfSpace& half, ClipBuffer& out) {
   out.clear();
-  Vec3d p = in.back();
-  double p_inside = half.inside_by(p);
-  for (const Vec3d& q : in) {
+  const Point* p = &in.back();
+  double p_inside = half.inside_by(*p);
+  for (const Point& q : in) {
     const double q_inside = half.inside_by(q);
     if ((p_inside >= 0.0) != (q_inside >= 0.0)) {
-      out.push(p + (p_inside / (p_inside - q_inside)) * (q - p));
+      out.push(Vec3d(*p) + (p_inside / (p_inside - q_inside)) * (Vec3d(q) - Vec3d(*p)));
     }
-    if (q_inside >= 0.0) out.push(q);
-    p = q;
+    if (q_inside >= 0.0) out.push(Vec3d(q));
+    p = &q;
     p_inside = q_inside;
   }
 }
@@ -135,27 +165,28 @@ ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, const 
 }
 
 Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& cell) {
-  const Aabb whole = box_of(vertices);
-  if (cell.contains(whole)) return whole;
+  return clip_polygon(vertices, box_of(vertices), cell);
+}
+
+Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& whole, const Aabb& cell) {
   const Aabb overlap = intersection(whole, cell);
   if (overlap.empty()) return Aabb{};
 
   // Cutting 12 times in double is off by far less than 2^-48 of the largest coordinate.
   const double margin = 0x1p-48 * std::max(largest_magnitude(whole), largest_magnitude(cell));
+  const Cuts cuts(whole, cell, margin);
+  if (cuts.all().empty()) return whole;
   ClipBuffer buffers[2];
-  for (const Vec3& vertex : vertices) buffers[0].push(Vec3d(vertex));
-  int current = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double sign : {1.0, -1.0}) {
-      const double bound = sign > 0.0 ? cell.lo[axis] : cell.hi[axis];
-      const bool cuts = sign > 0.0 ? whole.lo[axis] < bound : whole.hi[axis] > bound;
-      if (!cuts) continue;
-      clip_once(buffers[current].points(), {axis, sign, bound, margin}, buffers[1 - current]);
-      current = 1 - current;
-      if (buffers[current].points().empty()) return Aabb{};
-    }
+  ClipBuffer* part = &buffers[0];
+  ClipBuffer* spare = &buffers[1];
+  clip_once(vertices, cuts.all()[0], *part);
+  for (const HalfSpace& cut : cuts.all().subspan(1)) {
+    if (part->points().empty()) return Aabb{};
+    clip_once(part->points(), cut, *spare);
+    std::swap(part, spare);
   }
-  return intersection(rounded_box(buffers[current].points(), margin), overlap);
+  if (part->points().empty()) return Aabb{};
+  return intersection(rounded_box(part->points(), margin), overlap);
 }
 
 void mean_value_coordinates(std::span<const Vec3> vertices, Vec3 point, std::span<float> weights) {

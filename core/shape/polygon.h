@@ -25,6 +25,9 @@ ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, const 
 /// is inside. Clipped in double with a margin, so that rounding only ever keeps too much.
 Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& cell);
 
+/// The same where the box of the whole polygon is known.
+Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& whole, const Aabb& cell);
+
 /// Mean value coordinates (Floater 2003) of `point` (in the polygon's plane): weights of the
 /// vertices, adding up to 1; written to `weights`, one a vertex.
 void mean_value_coordinates(std::span<const Vec3> vertices, Vec3 point, std::span<float> weights);
