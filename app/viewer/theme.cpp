@@ -127,7 +127,7 @@ void apply_theme(Theme theme, float scale) {
 }
 
 float contrast(const ImVec4& a, const ImVec4& b) {
-  const auto [dark, light] = std::minmax(luminance(a), luminance(b));
+  const auto [dark, light] = std::minmax({luminance(a), luminance(b)});
   return (light + 0.05f) / (dark + 0.05f);
 }
 
