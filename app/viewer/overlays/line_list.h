@@ -14,6 +14,7 @@ struct Line {
   Vec3 from{0.0f}, to{0.0f};
   std::uint32_t color = 0xffffffffu;  ///< RGBA, red in the lowest byte, not premultiplied
   float width = 1.0f;                 ///< pixels, at most max_line_width
+  bool operator==(const Line&) const = default;
 };
 
 /// What an overlay hands to whoever draws it; where lines meet, later ones matter more.

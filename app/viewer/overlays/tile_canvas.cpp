@@ -90,8 +90,8 @@ std::array<std::uint32_t, step_count> colors_of_row(const Steps& steps, const St
   for (int i = 0; i < step_count; ++i) {
     const float lo = steps.lo[i], hi = lo + stroke.thickness;
     const float covered = std::max(std::min(hi, start + 1.0f) - std::max(lo, start), 0.0f);
-    const int opacity = static_cast<int>(steps.ink[i] * covered + 0.5f);
-    colors[i] = static_cast<std::uint32_t>(opacity) << 24 | stroke.rgb;
+    const float rounded = 0.5f + steps.ink[i] * covered;  // lround is no vector instruction
+    colors[i] = static_cast<std::uint32_t>(static_cast<int>(rounded)) << 24 | stroke.rgb;
   }
   return colors;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "app/viewer/overlays/layer.h"
@@ -15,6 +16,7 @@ class TileCanvas {
   static constexpr int size = TileGrid::tile_size;
   static constexpr int border = 16;  ///< takes what lines along the sides leave beside the tile
   static constexpr int stride = size + 2 * border;
+  static constexpr std::size_t area = std::size_t{stride} * stride;
 
   /// `pixel_size` as in ScreenTransform.
   TileCanvas(const LineView& view, const TileGrid& grid, int tile, float pixel_size);
@@ -31,8 +33,8 @@ class TileCanvas {
   int column_, row_;    // of the tile's upper left pixel
   float visible_from_;  // least distance / depth at which a line is in front of the surface
   float hidden_alpha_;
-  std::array<std::uint32_t, stride * stride> pixels_{};  // as in Line, not premultiplied
-  std::array<float, stride * stride> farthest_;          // distance in a pixel and its neighbours
+  std::array<std::uint32_t, area> pixels_{};  // as in Line, not premultiplied
+  std::array<float, area> farthest_;          // distance in a pixel and its neighbours
 };
 
 }  // namespace bspview

@@ -9,6 +9,7 @@
 
 #include "app/viewer/overlays/line_raster.h"
 #include "app/viewer/overlays/rgba.h"
+#include "core/base/parallel.h"
 #include "tests/support/random_tree.h"
 
 namespace bspview {
@@ -174,6 +175,17 @@ TEST(NodeBoxes, AnEdgeHasTheGreatestValueOfTheLeavesThatTouchIt) {
       EXPECT_GE(greatest, count);
     }
   }
+}
+
+TEST(NodeBoxes, LinesAreTheSameForAnyNumberOfThreads) {
+  const Tree tree = test::make_random_tree(3000, 12);
+  const LeafMask shown = filter_leaves(tree, {.contents = LeafFilter::Contents::full});
+  std::vector<LineList> results;
+  for (const int threads : {1, 2, 5}) {
+    with_threads(threads, [&] { results.push_back(node_box_lines(tree, shown, grey())); });
+  }
+  EXPECT_EQ(results[1], results[0]);
+  EXPECT_EQ(results[2], results[0]);
 }
 
 TEST(NodeBoxes, PruningWhatIsSmallerThanNothingChangesNoPixel) {
