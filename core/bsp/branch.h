@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
+#include "core/bsp/build_job.h"
 #include "core/bsp/node.h"
 #include "core/bsp/scratch_stack.h"
 
@@ -16,25 +16,18 @@ struct Branch {
   std::vector<Node> nodes;  ///< [0] is the branch's root; children come in pairs behind parents
   std::vector<std::uint32_t> references;
   bool memory_limit_reached = false;
+  std::size_t metered = 0;  ///< bytes that the job's meter knows of
   ScratchStack scratch;
+
+  std::size_t bytes() const {
+    return nodes.size() * sizeof(Node) + references.size() * sizeof(std::uint32_t);
+  }
 };
+
+/// Tells the job's meter, if there is one, of what was added since the last time.
+void meter(const BuildJob& job, Branch& branch);
 
 /// Puts the root of `part` at `slot` of `whole`, its other nodes and its references at the end.
-void splice(Branch& whole, std::uint32_t slot, const Branch& part);
-
-/// Bytes of nodes and references that the two children of a node may take.
-struct ChildMemory {
-  std::size_t left = 0, right = 0;
-};
-
-/// What a node that becomes a leaf takes.
-std::size_t leaf_bytes(std::size_t objects);
-
-/// Whether a node that may take `memory` bytes has room for two children with so many objects.
-bool has_room(std::size_t memory, std::size_t left_objects, std::size_t right_objects);
-
-/// Each child gets what it needs as a leaf, and what is left over in proportion to its objects:
-/// the result depends on the node alone, not on the order in which the tree is built.
-ChildMemory share_memory(std::size_t memory, std::size_t left_objects, std::size_t right_objects);
+void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, const Branch& part);
 
 }  // namespace bspview

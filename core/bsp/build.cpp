@@ -37,21 +37,22 @@ constexpr auto rule_names = [] {
 // Node and reference indices have 30 and 32 bits: no tree takes more than this many bytes.
 constexpr std::size_t memory_cap = std::size_t{1} << 33;
 
-std::vector<ObjectPart> placeable_objects(const BuildInput& input) {
+std::vector<ObjectPart> placeable_objects(const BuildJob& job) {
+  const std::span<const Aabb> boxes = job.input.boxes;
   std::vector<ObjectPart> parts;
-  parts.reserve(input.boxes.size());
-  for (std::size_t i = 0; i < input.boxes.size(); ++i) {
-    if (is_placeable(input.boxes[i])) {
-      parts.push_back({input.boxes[i], static_cast<std::uint32_t>(i)});
-    }
-  }
+  parts.reserve(boxes.size());
+  job.for_each(boxes.size(), light_steps, [&](std::size_t i) {
+    if (is_placeable(boxes[i])) parts.push_back({boxes[i], static_cast<std::uint32_t>(i)});
+  });
   return parts;
 }
 
 /// The union of the boxes, each side moved outwards by 1e-5 x the largest one.
-Aabb root_box(std::span<const ObjectPart> parts) {
+Aabb root_box(const BuildInput& input) {
   Aabb box;
-  for (const ObjectPart& part : parts) box.grow(part.box);
+  for (const Aabb& object : input.boxes) {
+    if (is_placeable(object)) box.grow(object);
+  }
   if (box.empty()) return box;
   const Vec3 largest(std::numeric_limits<float>::max());
   const Vec3 margin(1e-5f * largest_component(glm::min(box.extent(), largest)));
@@ -64,26 +65,30 @@ double smallest_width(const Aabb& box) {
   return std::max(8.0 * 0x1p-23 * largest, double{std::numeric_limits<float>::denorm_min()});
 }
 
-Tree grow_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
-  std::vector<ObjectPart> parts = placeable_objects(input);
-  BuildJob job{.input = input, .box = root_box(parts), .costs = cost_model(params)};
+BuildJob make_job(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
+  BuildJob job{.input = input, .box = root_box(input), .costs = cost_model(params)};
   job.max_depth = effective_depth(params, input.boxes.size());
   job.leaf_size = static_cast<std::size_t>(std::max(1, params.leaf_size));
   job.clip = effective_clip(params) && input.clip;
   job.min_width = smallest_width(job.box);
   job.memory_limit = std::min(params.memory_limit, memory_cap);
   job.stop = std::move(stop);
+  return job;
+}
 
-  Branch branch;
-  rules[static_cast<std::size_t>(params.builder)].grow(job, std::move(parts), branch);
-  return {.box = job.box,
-          .nodes = std::move(branch.nodes),
-          .references = std::move(branch.references),
-          .object_count = input.boxes.size(),
-          .params = params,
-          .max_depth = job.max_depth,
-          .naive = params.builder == Builder::naive,
-          .memory_limit_reached = branch.memory_limit_reached};
+/// In one round when the memory limit allows it, else in two.
+void grow_tree(Builder builder, BuildJob& job, Branch& branch) {
+  const Rule& rule = rules[static_cast<std::size_t>(builder)];
+  MemoryMeter meter(job.memory_limit);
+  job.meter = &meter;
+  try {
+    return rule.grow(job, placeable_objects(job), branch);
+  } catch (const MemoryLimitPassed&) {
+    job.meter = nullptr;
+    branch.nodes = {};
+    branch.references = {};
+  }
+  rule.grow(job, placeable_objects(job), branch);
 }
 
 }  // namespace
@@ -111,10 +116,18 @@ std::string_view name_of(Builder builder) {
 Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
   const Timer timer;
   try {
-    Tree tree;
-    with_threads(params.threads, [&] { tree = grow_tree(input, params, std::move(stop)); });
-    tree.build_seconds = timer.seconds();
-    return tree;
+    BuildJob job = make_job(input, params, std::move(stop));
+    Branch branch;
+    with_threads(params.threads, [&] { grow_tree(params.builder, job, branch); });
+    return Tree{.box = job.box,
+                .nodes = std::move(branch.nodes),
+                .references = std::move(branch.references),
+                .object_count = input.boxes.size(),
+                .params = params,
+                .max_depth = job.max_depth,
+                .naive = params.builder == Builder::naive,
+                .memory_limit_reached = branch.memory_limit_reached,
+                .build_seconds = timer.seconds()};
   } catch (const BuildStopped&) {
     return Error{"stopped"};
   } catch (const std::bad_alloc&) {

@@ -8,6 +8,7 @@
 
 #include "core/bsp/build.h"
 #include "core/bsp/cost.h"
+#include "core/bsp/memory_limit.h"
 
 namespace bspview {
 
@@ -28,6 +29,7 @@ struct BuildJob {
   bool clip = false;
   double min_width = 0.0;  ///< of a cell that a split makes; not 0
   std::size_t memory_limit = 0;
+  MemoryMeter* meter = nullptr;  ///< in the first round; null in the second
   std::stop_token stop = {};
 
   void poll() const {

@@ -23,12 +23,13 @@ class Recursion {
   void grow_root(Objects& objects, Branch& branch) const {
     branch.nodes.push_back(Node::make_leaf(0, 0));
     grow(objects, {{job_.box, 0}, job_.memory_limit}, {branch, 0});
+    meter(job_, branch);
   }
 
  private:
   struct Task {
     Place place;
-    std::size_t memory = 0;  // bytes of nodes and references that the subtree may take
+    std::size_t memory = 0;  // bytes that the subtree may take, in the second round
   };
   struct Slot {
     Branch& branch;
@@ -42,6 +43,9 @@ class Recursion {
   // A child with fewer objects is not worth a task of its own.
   static constexpr std::size_t parallel_count = 512;
 
+  // Bytes after which a branch tells the meter.
+  static constexpr std::size_t meter_step = std::size_t{1} << 16;
+
   void grow(Objects& objects, const Task& task, Slot slot) const {
     job_.poll();
     const std::optional<Split> split = wanted_split(objects, task, slot.branch);
@@ -49,7 +53,8 @@ class Recursion {
 
     const Cells cells = split_cell(task.place.cell, split->axis, split->position);
     Objects right = objects.split(*split, cells, slot.branch.scratch);
-    const ChildMemory memory = share_memory(task.memory, objects.count(), right.count());
+    const ChildMemory memory =
+        job_.meter ? ChildMemory{} : share_memory(task.memory, objects.count(), right.count());
     const int depth = task.place.depth + 1;
     const Child left_child{objects, {{cells.left, depth}, memory.left}};
     const Child right_child{right, {{cells.right, depth}, memory.right}};
@@ -65,17 +70,18 @@ class Recursion {
     // To go on after a failed split, in the hope of better ones below, measures worse: it more than
     // doubles the tree, and even where what did not pay is taken back it saves 1 % of the cost.
     if (split->cost > job_.costs.leaf(objects.count())) return {};
-    if (has_room(task.memory, split->left, split->right)) return split;
+    if (job_.meter || has_room(task.memory, split->left, split->right)) return split;
     branch.memory_limit_reached = true;
     return {};
   }
 
-  static void make_leaf(const Objects& objects, Slot slot) {
+  void make_leaf(const Objects& objects, Slot slot) const {
     std::vector<std::uint32_t>& references = slot.branch.references;
     const auto first = static_cast<std::uint32_t>(references.size());
     objects.append_objects(references);
     const auto count = static_cast<std::uint32_t>(references.size()) - first;
     slot.branch.nodes[slot.node] = Node::make_leaf(first, count);
+    if (slot.branch.bytes() > slot.branch.metered + meter_step) meter(job_, slot.branch);
   }
 
   /// Makes the node at `slot` an inner one; the result is the place of its left child.
@@ -96,11 +102,13 @@ class Recursion {
     }
     Branch beside;
     beside.nodes.push_back(Node::make_leaf(0, 0));
-    parallel_invoke([&] { grow(left.objects, left.task, left_slot); },
-                    [&] {
-                      grow(right.objects, right.task, {beside, 0});
-                    });
-    splice(right_slot.branch, right_slot.node, beside);
+    beside.metered = sizeof(Node);  // it takes the place of a node that is there already
+    const auto grow_right = [&] {
+      grow(right.objects, right.task, {beside, 0});
+      meter(job_, beside);
+    };
+    parallel_invoke([&] { grow(left.objects, left.task, left_slot); }, grow_right);
+    splice(job_, right_slot.branch, right_slot.node, beside);
   }
 
   const BuildJob& job_;

@@ -248,6 +248,25 @@ TEST(Build, ASpentMemoryLimitIsKeptAndSaid) {
   }
 }
 
+TEST(Build, ATreeThatJustFitsIsBuiltWhole) {
+  const BoxSet set = test::random_boxes(3000, 11);
+  for (BuildParams params : every_way({.max_depth = 14})) {
+    SCOPED_TRACE(describe(params));
+    const auto whole = build_tree(set.input(), params);
+    ASSERT_TRUE(whole.ok());
+    params.memory_limit = whole->bytes();
+    const auto fitting = build_tree(set.input(), params);
+    ASSERT_TRUE(fitting.ok());
+    expect_same(*whole, *fitting);
+    if (params.builder == Builder::naive) continue;
+    --params.memory_limit;
+    const auto cut = build_tree(set.input(), params);
+    ASSERT_TRUE(cut.ok());
+    EXPECT_TRUE(cut->memory_limit_reached);
+    EXPECT_LT(cut->bytes(), whole->bytes());
+  }
+}
+
 TEST(Build, SplitsThatDivideNothingAreRefused) {
   const BoxSet set(std::vector<Aabb>(100, {Vec3(0.0f), Vec3(1.0f)}));
   for (const Builder builder : {Builder::object_median, Builder::mb, Builder::sah}) {
