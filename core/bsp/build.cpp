@@ -1,5 +1,7 @@
 #include "core/bsp/build.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <new>
@@ -33,6 +35,9 @@ constexpr auto rule_names = [] {
   for (std::size_t i = 0; i < rules.size(); ++i) names[i] = rules[i].name;
   return names;
 }();
+
+// Nodes count their objects with 30 bits.
+constexpr std::size_t most_objects = (std::size_t{1} << 30) - 1;
 
 // Node and reference indices have 30 and 32 bits: no tree takes more than this many bytes.
 constexpr std::size_t memory_cap = std::size_t{1} << 33;
@@ -115,6 +120,10 @@ std::string_view name_of(Builder builder) {
 
 Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
   const Timer timer;
+  if (input.boxes.size() > most_objects) {
+    return Error{
+        fmt::format("a tree holds at most {} objects, not {}", most_objects, input.boxes.size())};
+  }
   try {
     BuildJob job = make_job(input, params, std::move(stop));
     Branch branch;
