@@ -1,3 +1,7 @@
+// How far T_TT by replay can be trusted: on spd:balls with one thread callgrind counts the same
+// conditional branches in the walk of the replay as in that of the picture (7,350,260), and the
+// replay finds a share of 0.47 (quartiles 0.44 and 0.49) where sampling the program counter of the
+// picture finds 0.41 +- 0.02.
 #include <algorithm>
 
 #include "core/base/timer.h"
