@@ -8,7 +8,6 @@
 
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
-#include "core/bsp/recursion.h"
 #include "core/bsp/split_rules.h"
 
 namespace bspview {
@@ -53,11 +52,12 @@ std::vector<ObjectPart> placeable_objects(const BuildJob& job) {
 }
 
 /// The union of the boxes, each side moved outwards by 1e-5 x the largest one.
-Aabb root_box(const BuildInput& input) {
+Aabb root_box(const BuildJob& job) {
+  const std::span<const Aabb> boxes = job.input.boxes;
   Aabb box;
-  for (const Aabb& object : input.boxes) {
-    if (is_placeable(object)) box.grow(object);
-  }
+  job.for_each(boxes.size(), light_steps, [&](std::size_t i) {
+    if (is_placeable(boxes[i])) box.grow(boxes[i]);
+  });
   if (box.empty()) return box;
   const Vec3 largest(std::numeric_limits<float>::max());
   const Vec3 margin(1e-5f * largest_component(glm::min(box.extent(), largest)));
@@ -71,13 +71,13 @@ double smallest_width(const Aabb& box) {
 }
 
 BuildJob make_job(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
-  BuildJob job{.input = input, .box = root_box(input), .costs = cost_model(params)};
+  BuildJob job{.input = input, .costs = cost_model(params), .stop = std::move(stop)};
+  job.box = root_box(job);
   job.max_depth = effective_depth(params, input.boxes.size());
   job.leaf_size = static_cast<std::size_t>(std::max(1, params.leaf_size));
   job.clip = effective_clip(params) && input.clip;
   job.min_width = smallest_width(job.box);
   job.memory_limit = std::min(params.memory_limit, memory_cap);
-  job.stop = std::move(stop);
   return job;
 }
 

@@ -22,7 +22,7 @@ inline constexpr std::size_t clip_steps = std::size_t{1} << 9;
 /// What stays the same through one build.
 struct BuildJob {
   const BuildInput& input;
-  Aabb box;  ///< of the root
+  Aabb box = {};  ///< of the root
   CostModel costs;
   int max_depth = 0;
   std::size_t leaf_size = 1;

@@ -95,7 +95,7 @@ EventList::EventList(const BuildJob& job, std::span<const ObjectPart> parts, Scr
     });
     sort_events(job, {events, 2 * count_}, spare.data() + axis * stride_);
   });
-  for (std::size_t i = 0; i < count_; ++i) objects_[i] = parts[i].object;
+  job.for_each(count_, light_steps, [&](std::size_t i) { objects_[i] = parts[i].object; });
 }
 
 void EventList::append_objects(std::vector<std::uint32_t>& objects) const {

@@ -39,7 +39,7 @@ void sort_events(const BuildJob& job, std::span<Event> events, Event* spare) {
   scatter(job, events, spare, 0);
   scatter(job, {spare, events.size()}, events.data(), 1);
   scatter(job, events, spare, 2);
-  std::ranges::copy(std::span(spare, events.size()), events.begin());
+  job.for_each(events.size(), light_steps, [&](std::size_t i) { events[i] = spare[i]; });
 }
 
 void merge_events(Event* events, std::size_t count, std::span<const Event> fresh) {
