@@ -23,6 +23,11 @@ std::vector<LineBins> sort_into_bins(std::span<const Line> lines, const ScreenTr
   return bins;
 }
 
+bool is_empty(const std::vector<LineBins>& bins, int tile) {
+  return std::all_of(bins.begin(), bins.end(),
+                     [&](const LineBins& bin) { return bin.in_tile(tile).empty(); });
+}
+
 }  // namespace
 
 std::optional<Layer> draw_lines(std::span<const Line> lines, const LineView& view,
@@ -35,7 +40,7 @@ std::optional<Layer> draw_lines(std::span<const Line> lines, const LineView& vie
   with_threads(view.threads, [&] {
     const std::vector<LineBins> bins = sort_into_bins(lines, transform, grid, stop);
     parallel_for(grid.count(), [&](int tile) {
-      if (stop.stop_requested()) return;
+      if (stop.stop_requested() || is_empty(bins, tile)) return;
       TileCanvas canvas(view, grid, tile, transform.pixel_size());
       for (const LineBins& bin : bins) {
         for (const std::uint32_t i : bin.in_tile(tile)) canvas.draw(bin.line(i));
