@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/check.h"
-#include "core/math/float_error.h"
 
 namespace bspview {
 namespace {
@@ -37,11 +36,6 @@ void add_object(Scene& scene, ObjectKind kind, std::size_t shape_count, std::uin
   scene.objects.push_back({kind, static_cast<std::uint32_t>(shape_count - 1), material});
 }
 
-void grow_outwards(Aabb& box, Vec3d lo, Vec3d hi) {
-  box.grow({round_down(lo.x), round_down(lo.y), round_down(lo.z)});
-  box.grow({round_up(hi.x), round_up(hi.y), round_up(hi.z)});
-}
-
 Aabb bounds(std::span<const Vec3> vertices) {
   Aabb box;
   if (!in_range(vertices)) return box;
@@ -50,35 +44,11 @@ Aabb bounds(std::span<const Vec3> vertices) {
 }
 
 Aabb bounds(const Sphere& sphere) {
-  Aabb box;
-  if (!in_range(sphere)) return box;
-  const Vec3d centre(sphere.centre);
-  const Vec3d radius(std::abs(static_cast<double>(sphere.radius)));
-  grow_outwards(box, centre - radius, centre + radius);
-  return box;
+  return in_range(sphere) ? sphere_bounds(sphere) : Aabb{};
 }
 
-/// Box of the two end circles: a circle of radius r around the unit axis a reaches
-/// r sqrt(1 - a_i^2) along coordinate i. The convex hull of the circles holds the whole surface.
 Aabb bounds(const Cone& cone) {
-  Aabb box;
-  if (!in_range(cone)) return box;
-  const Vec3d base(cone.base), apex(cone.apex);
-  const Vec3d axis = apex - base;
-  const Vec3d square = axis * axis;
-  const double length_squared = square.x + square.y + square.z;
-  // The factor covers the rounding of the root, a few units of 2^-53, with room to spare.
-  const Vec3d reach =
-      length_squared > 0.0
-          ? glm::sqrt(Vec3d(square.y + square.z, square.z + square.x, square.x + square.y) /
-                      length_squared) *
-                (1.0 + 0x1p-48)
-          : Vec3d(1.0);
-  const Vec3d at_base = reach * std::abs(static_cast<double>(cone.base_radius));
-  const Vec3d at_apex = reach * std::abs(static_cast<double>(cone.apex_radius));
-  grow_outwards(box, base - at_base, base + at_base);
-  grow_outwards(box, apex - at_apex, apex + at_apex);
-  return box;
+  return in_range(cone) ? cone_bounds(cone) : Aabb{};
 }
 
 bool is_degenerate(std::span<const Vec3> vertices) {

@@ -9,9 +9,10 @@ namespace bspview {
 namespace {
 
 /// Extent of the circle with normal `axis` and radius 1 along coordinate axis i:
-/// sqrt(1 - (axis_i / |axis|)^2).
+/// sqrt(1 - (axis_i / |axis|)^2). Without a direction, that of every circle.
 Vec3d circle_extent(Vec3d axis) {
   const double length2 = glm::dot(axis, axis);
+  if (length2 == 0.0) return Vec3d(1.0);
   Vec3d extent;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
