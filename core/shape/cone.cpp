@@ -41,9 +41,12 @@ Aabb bounds_of_part(const Cone& cone, Interval s) {
   const double growth = std::abs(static_cast<double>(cone.apex_radius)) - base_radius;
   Aabb box;
   for (const double end : {s.lo, s.hi}) {
-    const Vec3d centre = base + end * axis;
+    // The ends themselves are exact, so that a cone along an axis has a tight box.
+    const bool inner = 0.0 < end && end < 1.0;
+    const Vec3d centre = inner ? base + end * axis : Vec3d(end == 0.0 ? cone.base : cone.apex);
     const Vec3d reach = (base_radius + end * growth) * extent;
-    const Vec3d margin = 0x1p-48 * (glm::abs(base) + glm::abs(axis) + reach);
+    const Vec3d moved = inner ? glm::abs(base) + glm::abs(axis) : Vec3d(0.0);
+    const Vec3d margin = 0x1p-48 * (reach + moved);
     for (int i = 0; i < 3; ++i) {
       box.lo[i] = std::min(box.lo[i], round_down(centre[i] - reach[i] - margin[i]));
       box.hi[i] = std::max(box.hi[i], round_up(centre[i] + reach[i] + margin[i]));
