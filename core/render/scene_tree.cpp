@@ -1,5 +1,6 @@
 #include "core/render/scene_tree.h"
 
+#include "core/base/timer.h"
 #include "core/shape/cone.h"
 #include "core/shape/polygon.h"
 #include "core/shape/sphere.h"
@@ -36,7 +37,10 @@ BuildInput SceneBuildInput::input() const {
 }
 
 Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, std::stop_token stop) {
-  return build_tree(SceneBuildInput(scene).input(), params, stop);
+  const Timer timer;
+  Result<Tree> tree = build_tree(SceneBuildInput(scene).input(), params, stop);
+  if (tree) tree->build_seconds = timer.seconds();  // the objects' boxes are part of it
+  return tree;
 }
 
 }  // namespace bspview
