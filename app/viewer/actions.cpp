@@ -34,16 +34,15 @@ bool is_function_key(const Chord& chord) {
   return chord.key >= key::f1 && chord.key <= key::f12;
 }
 
-bool typed(const ImGuiIO& io, char character) {
-  return std::ranges::any_of(io.InputQueueCharacters, [character](ImWchar typed) {
-    return typed == static_cast<ImWchar>(character);
-  });
-}
-
-bool is_pressed(const Chord& chord, bool repeats, const ImGuiIO& io) {
-  if (io.WantTextInput && !is_function_key(chord)) return false;
-  if (chord.character != '\0') return typed(io, chord.character);
-  return chord.ctrl == io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyPressed(chord.key, repeats);
+/// How often a chord was pressed in this frame. Of one key that is once at most (see InputQueue),
+/// but characters may come in numbers.
+std::ptrdiff_t count_presses(const Chord& chord, bool repeats, const ImGuiIO& io) {
+  if (io.WantTextInput && !is_function_key(chord)) return 0;
+  if (chord.character != '\0')
+    return std::ranges::count(io.InputQueueCharacters, static_cast<ImWchar>(chord.character));
+  const bool pressed =
+      chord.ctrl == io.KeyCtrl && !io.KeyAlt && ImGui::IsKeyPressed(chord.key, repeats);
+  return pressed ? 1 : 0;
 }
 
 void move_pick(State& state, int columns, int rows) {
@@ -224,10 +223,10 @@ std::span<const MouseBinding> mouse_bindings() {
 std::vector<Action> pressed_actions(const ImGuiIO& io) {
   std::vector<Action> actions;
   for (const KeyBinding& binding : key_bindings())
-    if (std::ranges::any_of(binding.chords, [&](const Chord& chord) {
-          return is_pressed(chord, binding.repeats, io);
-        }))
-      actions.push_back(binding.action);
+    for (const Chord& chord : binding.chords)
+      actions.insert(actions.end(),
+                     static_cast<std::size_t>(count_presses(chord, binding.repeats, io)),
+                     binding.action);
   return actions;
 }
 

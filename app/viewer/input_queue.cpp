@@ -5,21 +5,35 @@
 namespace bspview {
 namespace {
 
+bool is_modifier(int code) {
+  return code >= key::left_shift && code <= key::right_super;
+}
+
 /// What this frame has changed so far.
 struct Changes {
   std::set<int> keys, buttons;
+  bool pressed = false;  // a button, or a key that is no modifier
+  bool moved = false;
 
   bool allow(const InputEvent& event) const {
     switch (event.kind) {
       case InputEvent::Kind::key:
-        return !keys.contains(event.code);
+        return allow_key(event.code);
       case InputEvent::Kind::button:
-        return !buttons.contains(event.code);
+        return allow_button(event);
       case InputEvent::Kind::move:
         return buttons.empty();
       default:
         return true;
     }
+  }
+
+  /// Modifiers stay as they were when something was pressed.
+  bool allow_key(int code) const { return !keys.contains(code) && !(is_modifier(code) && pressed); }
+
+  /// What is dragged goes where it was let go.
+  bool allow_button(const InputEvent& event) const {
+    return !buttons.contains(event.code) && (event.down || !moved);
   }
 };
 
@@ -34,16 +48,19 @@ void apply(const InputEvent& event, ImGuiIO& io, Changes& changes) {
     case InputEvent::Kind::key:
       io.KeysDown[event.code] = event.down;
       changes.keys.insert(event.code);
+      changes.pressed |= event.down && !is_modifier(event.code);
       break;
     case InputEvent::Kind::button:
       io.MouseDown[event.code] = event.down;
       changes.buttons.insert(event.code);
+      changes.pressed |= event.down;
       break;
     case InputEvent::Kind::text:
       io.AddInputCharacter(static_cast<unsigned>(event.code));
       break;
     case InputEvent::Kind::move:
       io.MousePos = {event.amount.x, event.amount.y};
+      changes.moved = true;
       break;
     case InputEvent::Kind::wheel:
       io.MouseWheelH += event.amount.x;

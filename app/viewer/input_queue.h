@@ -26,8 +26,8 @@ struct InputEvent {
 };
 
 /// Hands events to Dear ImGui in the order in which they happened, without losing one: what would
-/// undo something of the same frame (the release of a key that was just pressed, the pointer's way
-/// after a click) waits for the next frame.
+/// undo something of the same frame (the release of a key that was just pressed, of Ctrl after it,
+/// the pointer's way after a click, the end of a drag) waits for the next frame.
 class InputQueue {
  public:
   void push(const InputEvent& event) { events_.push_back(event); }

@@ -61,6 +61,11 @@ TEST_F(ActionsTest, EveryChordHasAName) {
   EXPECT_EQ(name_of({.character = '?'}), "?");
 }
 
+TEST_F(ActionsTest, CharactersThatArriveTogetherAllCount) {
+  EXPECT_EQ(pressed({InputEvent::text(']'), InputEvent::text(']'), InputEvent::text('[')}),
+            (std::vector{Action::shallower, Action::deeper, Action::deeper}));
+}
+
 TEST_F(ActionsTest, APlainLetterWithCtrlIsAnotherKey) {
   EXPECT_TRUE(pressed(stroke({.key = 'B', .ctrl = true})).empty());
 }

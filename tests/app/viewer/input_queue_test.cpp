@@ -39,6 +39,39 @@ TEST_F(InputQueueTest, AModifierIsHeldUntilTheKeyItBelongsToWasSeen) {
   EXPECT_FALSE(io().KeyCtrl || io().KeysDown['S']);
 }
 
+TEST_F(InputQueueTest, AModifierHeldBeforeAndReleasedFirstStillCounts) {
+  queue_.push(InputEvent::key(key::left_control, true));
+  queue_.feed(io());
+  queue_.push(InputEvent::key('Z', true));
+  queue_.push(InputEvent::key(key::left_control, false));
+  queue_.push(InputEvent::key('Z', false));
+  queue_.feed(io());
+  EXPECT_TRUE(io().KeyCtrl && io().KeysDown['Z']);
+  queue_.feed(io());
+  EXPECT_FALSE(io().KeyCtrl || io().KeysDown['Z']);
+}
+
+TEST_F(InputQueueTest, AModifierPressedAfterAKeyDoesNotReachBackToIt) {
+  queue_.push(InputEvent::key('Z', true));
+  queue_.push(InputEvent::key(key::left_control, true));
+  queue_.feed(io());
+  EXPECT_TRUE(io().KeysDown['Z']);
+  EXPECT_FALSE(io().KeyCtrl);
+}
+
+TEST_F(InputQueueTest, ADragIsSeenAtItsEndBeforeTheButtonIsReleased) {
+  queue_.push(InputEvent::button(0, true));
+  queue_.feed(io());
+  queue_.push(InputEvent::move({10, 20}));
+  queue_.push(InputEvent::move({90, 20}));
+  queue_.push(InputEvent::button(0, false));
+  queue_.feed(io());
+  EXPECT_TRUE(io().MouseDown[0]);
+  EXPECT_EQ(io().MousePos.x, 90);
+  queue_.feed(io());
+  EXPECT_FALSE(io().MouseDown[0]);
+}
+
 TEST_F(InputQueueTest, AClickHappensWhereThePointerWas) {
   queue_.push(InputEvent::move({10, 20}));
   queue_.push(InputEvent::button(0, true));
@@ -48,8 +81,9 @@ TEST_F(InputQueueTest, AClickHappensWhereThePointerWas) {
   EXPECT_TRUE(io().MouseDown[0]);
   EXPECT_EQ(io().MousePos.x, 10);
   queue_.feed(io());
-  EXPECT_FALSE(io().MouseDown[0]);
   EXPECT_EQ(io().MousePos.x, 300);
+  queue_.feed(io());
+  EXPECT_FALSE(io().MouseDown[0]);
 }
 
 TEST_F(InputQueueTest, ManyPressesInOneFrameAreAllSeen) {
