@@ -11,8 +11,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto patience = 40ms;     // see Stage: a dropped build or picture ends within it
-constexpr auto rest_after = 150ms;  // without motion of the camera
+// See Stage. A dropped build ends at once; coarse pixels and lines are soon there and keep a
+// moving camera alive.
+constexpr auto build_patience = 40ms;
+constexpr auto drawing_patience = 300ms;
+constexpr auto rest_after = 150ms;     // without motion of the camera
 constexpr auto tooltip_after = 400ms;  // without motion of the pointer
 constexpr auto overdue_nap = 15ms;     // see Stage::overdue
 
@@ -23,10 +26,10 @@ App::App(State state, std::function<void()> wake)
       history_(setting()),
       last_setting_(setting()),
       scenes_(open_scene, wake),
-      trees_(grow_tree, wake, patience),
-      pictures_(PictureWork{}, wake, patience),
-      paths_(follow_rays, wake, patience),
-      overlays_(OverlayWork{}, wake, patience),
+      trees_(grow_tree, wake, build_patience),
+      pictures_(PictureWork{}, wake, drawing_patience),
+      paths_(follow_rays, wake, drawing_patience),
+      overlays_(OverlayWork{}, wake, drawing_patience),
       measures_(take_times, wake) {}
 
 void App::frame(Interface& interface, const WindowSize& size) {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 #include "app/viewer/work.h"
@@ -8,7 +7,9 @@ namespace bspview {
 namespace {
 
 std::uint32_t to_byte(float value) {
-  return static_cast<std::uint32_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+  // A NaN becomes 0, as in save_png.
+  const float clamped = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+  return static_cast<std::uint32_t>(255.0f * clamped + 0.5f);
 }
 
 std::vector<std::uint32_t> to_rgba8(std::span<const Vec3> colors) {
