@@ -36,6 +36,7 @@ void App::frame(Interface& interface, const WindowSize& size) {
   advance();
   widgets_.clear();
   watch_pointer();
+  ui_scale_ = interface.scale();
   const Ui ui{interface.fonts(), interface.palette(), interface.scale(), !tooltips_due_, widgets_};
   const Vec2 window(static_cast<float>(size.width), static_cast<float>(size.height));
   for (const Action action : pressed_actions(ImGui::GetIO())) perform(action);
@@ -80,8 +81,7 @@ void App::perform(Action action) {
 }
 
 void App::open(const std::string& source) {
-  state_.source = state_.source_text = source;
-  ++state_.load_attempt;
+  open_source(state_, source);
 }
 
 bool App::busy() const {
@@ -148,7 +148,7 @@ void App::want_overlay() {
                          .rays = paths_.value(),
                          .path_visible = path,
                          .selection = state_.ray,
-                         .line_width = state_.look.scale,
+                         .line_width = ui_scale_,
                          .moving = was_moving_};
   if (state_.boxes.visible) request.boxes = state_.boxes;
   // Coarse pixels have no borders worth drawing.
@@ -169,6 +169,8 @@ void App::want_measures() {
 
 void App::show_results() {
   results_.scene = scenes_.value();
+  if (scenes_.error() && scenes_.error() != results_.scene_error)
+    state_.notice = scenes_.error()->message;
   results_.scene_error = scenes_.error();
   results_.scene_busy = scenes_.busy();
   results_.tree = trees_.value();

@@ -80,9 +80,10 @@ class App {
   History<Setting> history_;
   Setting last_setting_;
   bool editing_ = false;
+  float ui_scale_ = 1.0f;
   std::shared_ptr<const LoadedScene> camera_scene_;  // the scene that state_.view.camera is for
   std::optional<Camera> last_camera_;
-  Clock::time_point last_motion_;   // of the camera
+  Clock::time_point last_motion_;    // of the camera
   Clock::time_point pointer_moved_;  // last
   bool was_moving_ = false, tooltips_due_ = false;
   bool quit_ = false, full_screen_ = false, screenshot_ = false;

@@ -62,6 +62,7 @@ class Loop {
     session_.frame(size, seconds);
     if (frames_due_ > 0) --frames_due_;
     serve_wishes(size);
+    show_title();
     window_.show_cursor(ImGui::GetMouseCursor());
     window_.swap();
     return export_files();
@@ -76,6 +77,13 @@ class Loop {
     app.state().notice =
         saved ? "Saved " + std::filesystem::absolute(name).string() : saved.error().message;
     frames_due_ = frames_after_event;
+  }
+
+  void show_title() {
+    const auto& scene = session_.app().results().scene;
+    const std::string title = scene ? scene->scene.name + " – bspview" : "bspview";
+    if (title != title_) window_.set_title(title);
+    title_ = title;
   }
 
   void take_drops() {
@@ -94,6 +102,7 @@ class Loop {
   Session& session_;
   std::atomic<bool>& news_;
   ExportedFile ui_map_, state_file_;
+  std::string title_;
   Timer since_frame_;
   int frames_due_ = frames_after_event;
 };

@@ -88,4 +88,7 @@ struct State {
   std::string notice;                ///< a sentence for the user, until something is done
 };
 
+/// Asks for a scene, once more when it is the one that is shown.
+void open_source(State& state, const std::string& source);
+
 }  // namespace bspview

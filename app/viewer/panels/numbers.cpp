@@ -59,9 +59,8 @@ std::string change(double before, double now) {
   if (std::abs(relative) < equal_below) return "≈";
   const char* sign = relative < 0 ? "−" : "+";
   const double percent = std::abs(100.0 * relative);
-  return fmt::format(
-      "{}{} %", sign,
-      percent >= 10.0 ? fmt::format("{:.0f}", percent) : fmt::format("{:.2g}", percent));
+  const int decimals = percent >= 10.0 ? 0 : percent >= 1.0 ? 1 : 2;
+  return fmt::format("{}{:.{}f} %", sign, percent, decimals);
 }
 
 }  // namespace bspview

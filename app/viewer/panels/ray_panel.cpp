@@ -13,7 +13,8 @@
 namespace bspview {
 namespace {
 
-constexpr int most_listed_rays = 4;  // lines of the list before it scrolls
+constexpr int least_listed_rays = 4;  // lines of the list before it scrolls
+constexpr float list_share = 0.3f;    // of the panel's height that the list may take
 
 void heading(const Ui& ui, const State& state) {
   {
@@ -27,7 +28,8 @@ void heading(const Ui& ui, const State& state) {
 
 void ray_list(const Ui& ui, const PixelRays& rays, RaySelection& selection) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
-  const int lines = std::min(static_cast<int>(rays.size()), most_listed_rays);
+  const int fitting = static_cast<int>(list_share * ImGui::GetContentRegionAvail().y / line);
+  const int lines = std::min(static_cast<int>(rays.size()), std::max(fitting, least_listed_rays));
   ImGui::BeginChild("rays", {0.0f, line * static_cast<float>(lines) + ui.px(2)});
   for (int i = 0; i < static_cast<int>(rays.size()); ++i) {
     const PathRay& ray = rays[static_cast<std::size_t>(i)];

@@ -41,11 +41,6 @@ std::string source_of(const SpdChoice& choice) {
   return fmt::format("{}{}:{}", spd_prefix, scene.name, choice.size);
 }
 
-void open_source(State& state, const std::string& source) {
-  state.source = state.source_text = source;
-  ++state.load_attempt;
-}
-
 void source_field(const Ui& ui, State& state) {
   ImGui::SetNextItemWidth(-1.0f);
   if (state.focus_source) ImGui::SetKeyboardFocusHere();
