@@ -63,15 +63,11 @@ class ClipBuffer {
   std::size_t size_ = 0;
 };
 
-/// Half-space of the points p with sign * (p[axis] - bound) >= -margin.
+/// Half-space of the points p with sign * p[axis] >= limit.
 struct HalfSpace {
   int axis;
-  double sign, bound, margin;
+  double sign, limit;
   double removed;  // share of the polygon's box that is outside
-  template <class Point>
-  double inside_by(const Point& p) const {
-    return sign * (p[axis] - bound) + margin;
-  }
 };
 
 /// The sides of `cell` that cut a polygon with box `whole`, the one that removes most first.
@@ -82,8 +78,8 @@ class Cuts {
       const double width = static_cast<double>(whole.hi[axis]) - whole.lo[axis];
       const double below = static_cast<double>(cell.lo[axis]) - whole.lo[axis];
       const double above = static_cast<double>(whole.hi[axis]) - cell.hi[axis];
-      if (below > 0.0) add({axis, 1.0, cell.lo[axis], margin, below / width});
-      if (above > 0.0) add({axis, -1.0, cell.hi[axis], margin, above / width});
+      if (below > 0.0) add({axis, 1.0, cell.lo[axis] - margin, below / width});
+      if (above > 0.0) add({axis, -1.0, -cell.hi[axis] - margin, above / width});
     }
   }
   std::span<const HalfSpace> all() const { return std::span(cuts_).first(count_); }
@@ -103,14 +99,16 @@ class Cuts {
 template <class Point>
 void clip_once(std::span<const Point> in, const HalfSpace& half, ClipBuffer& out) {
   out.clear();
+  const auto height = [&](const Point& p) { return half.sign * p[half.axis]; };
   const Point* p = &in.back();
-  double p_inside = half.inside_by(*p);
+  bool p_inside = height(*p) >= half.limit;
   for (const Point& q : in) {
-    const double q_inside = half.inside_by(q);
-    if ((p_inside >= 0.0) != (q_inside >= 0.0)) {
-      out.push(Vec3d(*p) + (p_inside / (p_inside - q_inside)) * (Vec3d(q) - Vec3d(*p)));
+    const bool q_inside = height(q) >= half.limit;
+    if (p_inside != q_inside) {
+      const double share = (half.limit - height(*p)) / (height(q) - height(*p));
+      out.push(Vec3d(*p) + share * (Vec3d(q) - Vec3d(*p)));
     }
-    if (q_inside >= 0.0) out.push(Vec3d(q));
+    if (q_inside) out.push(Vec3d(q));
     p = &q;
     p_inside = q_inside;
   }
