@@ -32,7 +32,7 @@ Result<void> run(const ViewerOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("bspview: shows how rays walk the BSP tree of a scene");
+  CLI::App app("Shows how rays walk the BSP tree of a scene", "bspview");
   app.set_version_flag("--version", "bspview " BSPVIEW_VERSION);
   ViewerOptions options;
   add_viewer_options(app, options);

@@ -6,6 +6,11 @@
 #include "core/scene/load.h"
 
 namespace bspview {
+namespace {
+
+constexpr double measuring_patience = 5.0;  // seconds: slow pictures are not measured five times
+
+}  // namespace
 
 BuiltTree::BuiltTree(const TreeRequest& of, Tree&& built)
     : request(of), tree(std::move(built)), stats(tree_stats(tree)), cells(tree) {}
@@ -44,8 +49,10 @@ Result<void> follow_rays(const PathRequest& request, std::stop_token,
 
 Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
                         const Publish<Measures>& publish) {
+  LambdaParams repeats;
+  repeats.patience = measuring_patience;
   Result<Lambda> lambda =
-      measure_lambda(request.tree->world(), request.camera, request.params, LambdaParams{}, stop);
+      measure_lambda(request.tree->world(), request.camera, request.params, repeats, stop);
   if (!lambda) return lambda.error();
   publish(std::make_shared<const Measures>(Measures{request, *std::move(lambda)}));
   return {};

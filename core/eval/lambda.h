@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct LambdaParams {
   int build_repeats = 1;  ///< the build that made the tree is the first
   int render_repeats = 1;
   int replay_repeats = 5;  ///< 0: T_TT is not measured
+  /// Seconds after which replays are not repeated any more; what was repeated less often says so.
+  double patience = std::numeric_limits<double>::infinity();
 };
 
 /// T_TR by rendering without counters; T_TT by replay. Every ray of the picture is recorded once

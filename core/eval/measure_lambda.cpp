@@ -22,8 +22,8 @@ double seconds_of(const Work& work) {
 /// The runs of one measurement; once a stop is requested they do nothing.
 class Experiment {
  public:
-  Experiment(const World& world, const Camera& camera, const Watch& watch)
-      : world_(world), camera_(camera), watch_(watch) {}
+  Experiment(const World& world, const Camera& camera, double patience, const Watch& watch)
+      : world_(world), camera_(camera), patience_(patience), watch_(watch) {}
 
   std::vector<double> builds(int repeats) {
     std::vector<double> seconds{world_.tree.build_seconds};
@@ -39,6 +39,11 @@ class Experiment {
     return seconds_of([&] { (void)render_image(world_, camera_, params, watch_).ok(); });
   }
 
+  double replay_seconds(const RenderParams& params, std::span<const RecordedRay> rays,
+                        Replay what) const {
+    return seconds_of([&] { replay(world_, params, rays, what, watch_.stop); });
+  }
+
   /// T_TR and T_TT / T_TR of each repeat.
   struct Replays {
     std::vector<double> render_seconds, shares;
@@ -46,10 +51,12 @@ class Experiment {
   Replays replays(const RenderParams& params, int repeats) {
     Replays result;
     const auto rays = record_rays(world_, camera_, params, watch_);
+    const Timer timer;
     for (int i = 0; i < repeats && rays && !watch_.stopped(); ++i) {
+      if (i > 0 && timer.seconds() > patience_) break;
       const double whole = render(params);
-      const double walk = seconds_of([&] { replay(world_, params, *rays, Replay::walk); });
-      const double enter = seconds_of([&] { replay(world_, params, *rays, Replay::enter); });
+      const double walk = replay_seconds(params, *rays, Replay::walk);
+      const double enter = replay_seconds(params, *rays, Replay::enter);
       result.render_seconds.push_back(whole);
       result.shares.push_back(whole > 0.0 ? std::max(0.0, walk - enter) / whole : 0.0);
     }
@@ -59,6 +66,7 @@ class Experiment {
  private:
   const World& world_;
   const Camera& camera_;
+  const double patience_;
   const Watch& watch_;
 };
 
@@ -86,7 +94,7 @@ int planned_runs(const RenderParams& params, const LambdaParams& repeats) {
 
 Result<Lambda> measure_lambda(const World& world, const Camera& camera, const RenderParams& params,
                               const LambdaParams& repeats, const Watch& watch) {
-  Experiment experiment(world, camera, watch);
+  Experiment experiment(world, camera, repeats.patience, watch);
   Lambda lambda;
   lambda.t_cb = summarise(experiment.builds(repeats.build_repeats));
   std::vector<double> render_seconds;

@@ -24,10 +24,11 @@ std::uint64_t enter(const Tree& tree, const RecordedRay& recorded) {
 }  // namespace
 
 std::uint64_t replay(const World& world, const RenderParams& params,
-                     std::span<const RecordedRay> rays, Replay what) {
+                     std::span<const RecordedRay> rays, Replay what, std::stop_token stop) {
   const std::size_t chunks = (rays.size() + rays_a_chunk - 1) / rays_a_chunk;
   std::vector<std::uint64_t> sums(chunks);
   const auto replay_chunk = [&](int chunk) {
+    if (stop.stop_requested()) return;
     const std::size_t first = static_cast<std::size_t>(chunk) * rays_a_chunk;
     const auto part = rays.subspan(first, std::min(rays_a_chunk, rays.size() - first));
     std::uint64_t sum = 0;

@@ -17,9 +17,9 @@ enum class Replay {
   enter,  ///< reads the ray and finds its interval in the root box, no more
 };
 
-/// Replays the rays on the threads of `params`; the result (nodes visited last, added up) keeps the
-/// work from being left out.
+/// Replays the rays on the threads of `params` until `stop` is requested; the result (nodes visited
+/// last, added up) keeps the work from being left out.
 std::uint64_t replay(const World& world, const RenderParams& params,
-                     std::span<const RecordedRay> rays, Replay what);
+                     std::span<const RecordedRay> rays, Replay what, std::stop_token stop = {});
 
 }  // namespace bspview

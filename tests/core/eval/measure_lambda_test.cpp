@@ -65,6 +65,26 @@ TEST(MeasureLambda, AStopEndsItWithoutAResult) {
   EXPECT_EQ(lambda.error().message, "stopped");
 }
 
+TEST(MeasureLambda, WithoutPatienceReplaysAreNotRepeated) {
+  const SmallWorld small;
+  LambdaParams repeats;
+  repeats.patience = 0.0;
+  const auto lambda = measure_lambda(small.world(), small.scene.camera, small.params, repeats);
+  ASSERT_TRUE(lambda.ok());
+  EXPECT_EQ(lambda->t_tt_share->repeats, 1);
+  EXPECT_EQ(lambda->t_tr->repeats, 1);
+}
+
+TEST(MeasureLambda, AStoppedReplayWalksNothing) {
+  const SmallWorld small;
+  const auto rays = record_rays(small.world(), small.scene.camera, small.params);
+  ASSERT_TRUE(rays.ok());
+  std::stop_source stop;
+  EXPECT_GT(replay(small.world(), small.params, *rays, Replay::walk, stop.get_token()), 0u);
+  stop.request_stop();
+  EXPECT_EQ(replay(small.world(), small.params, *rays, Replay::walk, stop.get_token()), 0u);
+}
+
 TEST(MeasureLambda, TheReplayVisitsTheNodesThatTheRaysVisited) {
   const SmallWorld small;
   const auto counted = render_counted(small.world(), small.scene.camera, small.params);
