@@ -50,6 +50,17 @@ inline ShapeHit hit_object(const Scene& scene, std::uint32_t id, const RayQuery&
   return hit_cone(ray, scene.cones[object.shape], sides);
 }
 
+/// The tests of all pictures. Another type with the same members tries other tests (core/eval).
+struct ExactShapes {
+  using Query = RayQuery;
+  static Query query(const World& world, const Ray& ray) {
+    return RayQuery(ray, reach_of(world.tree.box, ray.origin));
+  }
+  static ShapeHit hit(const Scene& scene, std::uint32_t id, const Query& ray, SideRule rule) {
+    return hit_object(scene, id, ray, rule);
+  }
+};
+
 /// How rays are traced: the walk, and what they see.
 struct TraceRules {
   Traversal traversal = Traversal::robust;
@@ -59,13 +70,13 @@ struct TraceRules {
 };
 
 /// Nearest hit of `ray` in its interval.
-template <class Observer>
+template <class Shapes = ExactShapes, class Observer>
 Hit closest_hit(const World& world, const Ray& ray, const TraceRules& rules, Observer& observer) {
-  const RayQuery query(ray, reach_of(world.tree.box, ray.origin));
+  const typename Shapes::Query query = Shapes::query(world, ray);
   Hit best;
   const auto leaf = [&](std::uint32_t, const Node& node) {
     for (const std::uint32_t id : world.tree.objects_of(node)) {
-      const ShapeHit hit = hit_object(world.scene, id, query, rules.sides);
+      const ShapeHit hit = Shapes::hit(world.scene, id, query, rules.sides);
       const bool better = hit.t < best.t || (hit.t == best.t && id < best.object);
       if (better && hit.t != no_hit) best = {hit.t, id, hit.u, hit.v, no_leaf};
       observer.test(id, better && hit.t != no_hit, hit.t);
@@ -78,14 +89,14 @@ Hit closest_hit(const World& world, const Ray& ray, const TraceRules& rules, Obs
 }
 
 /// Some object that `ray` hits in its interval, the first that the walk meets; no_index: none.
-template <class Observer>
+template <class Shapes = ExactShapes, class Observer>
 std::uint32_t any_hit(const World& world, const Ray& ray, const TraceRules& rules,
                       Observer& observer) {
-  const RayQuery query(ray, reach_of(world.tree.box, ray.origin));
+  const typename Shapes::Query query = Shapes::query(world, ray);
   std::uint32_t blocker = no_index;
   const auto leaf = [&](std::uint32_t, const Node& node) {
     for (const std::uint32_t id : world.tree.objects_of(node)) {
-      const ShapeHit hit = hit_object(world.scene, id, query, rules.shadow_sides);
+      const ShapeHit hit = Shapes::hit(world.scene, id, query, rules.shadow_sides);
       observer.test(id, hit.t != no_hit, hit.t);
       if (hit.t == no_hit) continue;
       blocker = id;
