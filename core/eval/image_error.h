@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/eval/lambda.h"
+#include "core/render/render.h"
+
+namespace bspview {
+
+/// Root of the mean squared difference over pixels and channels, of the colours as they are shown:
+/// clamped to 0 .. 1, a NaN being 0. Both pictures have the same size.
+double rmse(const Image& image, const Image& reference);
+
+/// Mean over pixels and channels of (a - r)^2 / (r^2 + 0.01), a and r being clamped as in rmse
+/// (Rousselle, Knaus & Zwicker 2011, "Adaptive sampling and reconstruction using greedy error
+/// minimization"): errors in the dark weigh more.
+double rel_mse(const Image& image, const Image& reference);
+
+/// Which pictures of a scene are compared.
+struct ImageErrorParams {
+  RenderParams render;           ///< size, ray depth, traversal, threads; the rest is replaced
+  int reference_samples = 1024;  ///< rays a pixel of the converged picture: uniform, no cut-off
+  std::vector<int> samples{1, 2, 4, 8, 16, 32, 64};                     ///< of uniform sampling
+  std::vector<float> thresholds{0.04f, 0.02f, 0.01f, 0.005f, 0.0025f};  ///< of adaptive sampling
+  int adaptive_samples = 256;                                           ///< most rays a pixel there
+  std::vector<float> cutoffs{0.002f, 0.01f, 0.05f};  ///< each with uniform sampling; 0 comes anyway
+  int repeats = 9;                                   ///< of each picture, interleaved
+  double patience = 4.0;  ///< a picture is not repeated once its repeats took so many seconds
+};
+
+/// One way to make the picture, what it cost and how wrong it was.
+struct ImageErrorPoint {
+  std::string name;                ///< "16 samples", "threshold 0.01"
+  RenderParams params;             ///< makes this picture
+  double samples_per_pixel = 0.0;  ///< mean
+  Measured seconds;                ///< its repeats say how often it was timed
+  double rmse = 0.0;
+  double rel_mse = 0.0;
+};
+
+/// Points of one method, from the least to the most samples a pixel.
+struct ImageErrorCurve {
+  std::string name;  ///< "uniform", "adaptive", "cut-off 0.01"
+  std::vector<ImageErrorPoint> points;
+};
+
+/// The curves of the picture that `camera` sees: uniform first, then adaptive, then one for each
+/// cut-off. Fails, with the error "stopped", only when a stop was requested.
+Result<std::vector<ImageErrorCurve>> measure_image_error(const World& world, const Camera& camera,
+                                                         const ImageErrorParams& params,
+                                                         const Watch& watch = {});
+
+/// A point of one curve against another curve, which is interpolated between its points by
+/// straight lines in logarithms.
+struct ImageErrorMatch {
+  std::string name;           ///< of the point
+  double rmse = 0.0;          ///< of the point
+  double samples = 0.0;       ///< a pixel, of the point
+  double base_samples = 0.0;  ///< that the other curve needs for the same rmse
+  double seconds = 0.0;       ///< of the point
+  double base_seconds = 0.0;  ///< that the other curve needs for the same rmse
+  double base_rmse = 0.0;     ///< of the other curve in the same seconds
+
+  double samples_saved() const { return 1.0 - samples / base_samples; }
+  double seconds_saved() const { return 1.0 - seconds / base_seconds; }
+  double rmse_ratio() const { return rmse / base_rmse; }
+};
+
+/// Every point of `curve` whose rmse and time both lie within those of `base`.
+std::vector<ImageErrorMatch> match(const ImageErrorCurve& curve, const ImageErrorCurve& base);
+
+}  // namespace bspview
