@@ -1,13 +1,12 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/eval/exact_hit.h"
 
 namespace bspview {
 
-/// One object that a ray surely or perhaps meets.
+/// One place where a ray surely or perhaps meets an object.
 struct Candidate {
   std::uint32_t object = no_index;
   ExactHit hit;
@@ -18,7 +17,7 @@ enum class Verdict {
   right,
   lost,      ///< something nearer is surely hit, or the answer is a miss where something is
   phantom,   ///< the object is not hit, or not there
-  undecided  ///< both answers can be defended: a border of one object alone, a tangent
+  undecided  ///< either answer can be defended: a border of one object alone, a tangent
 };
 
 struct Judgement {
@@ -32,7 +31,7 @@ class Reference {
  public:
   explicit Reference(const Scene& scene);
 
-  /// All objects that the ray meets in its interval, nearest first, ties by id.
+  /// Everything that the ray meets in its interval, nearest first, ties by id.
   std::vector<Candidate> meetings(const Ray& ray, SideRule rule = SideRule::two_sided) const;
 
   /// Judges a closest hit: `object` (no_index: a miss) at distance `t`. Surfaces within 4 ulp of
@@ -40,18 +39,20 @@ class Reference {
   /// share it, since one of them must catch the ray.
   Judgement judge(const Ray& ray, std::uint32_t object, double t,
                   SideRule rule = SideRule::two_sided) const;
-  /// Judges "something is hit": lost or phantom.
+  /// Judges whether something is hit at all.
   Verdict judge_any(const Ray& ray, bool hit, SideRule rule = SideRule::two_sided) const;
 
  private:
-  struct Box {
+  struct Group {  // of objects that lie together
     Aabb bounds;
-    std::uint32_t first, count;  // inner: count == 0, children follow at index + 1 and `first`
+    std::uint32_t first = 0;  // leaf: index into order_; inner: of the second child's group
+    std::uint32_t count = 0;  // of objects; 0: inner, the first child follows
   };
+  void divide(std::uint32_t first, std::uint32_t count, const std::vector<Aabb>& bounds);
 
   const Scene& scene_;
-  std::vector<Box> boxes_;
-  std::vector<std::uint32_t> objects_;  // in the order of the leaves of boxes_
+  std::vector<Group> groups_;
+  std::vector<std::uint32_t> order_;  // ids of objects
 };
 
 }  // namespace bspview
