@@ -74,10 +74,6 @@ std::string fate_of(const PathRay& ray) {
 
 }  // namespace
 
-std::array<std::string_view, 7> ray_table_heads() {
-  return {"Step", "Node", "Visits", "Split", "t of plane", "t in cell", "Tests"};
-}
-
 std::vector<RayTableRow> ray_table(const PathRay& ray) {
   std::vector<RayTableRow> rows;
   rows.reserve(ray.log.steps.size());

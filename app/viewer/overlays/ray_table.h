@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/render/render.h"
@@ -20,9 +18,6 @@ struct RayTableRow {
   std::string tests;     ///< "2, hits object 7 at 1.31"; "" for inner nodes
   bool operator==(const RayTableRow&) const = default;
 };
-
-/// Heads of the columns, in the order of RayTableRow.
-std::array<std::string_view, 7> ray_table_heads();
 
 /// One row a step, in the order of the walk.
 [[nodiscard]] std::vector<RayTableRow> ray_table(const PathRay& ray);

@@ -13,13 +13,14 @@ namespace {
 constexpr WindowSize size{1280, 800, 1280, 800, 1.0f};
 constexpr float frame_seconds = 1.0f / 60;
 
-/// The whole viewer, off-screen, with every leaf box of a tree of about 20,000 leaves.
+/// The whole viewer, off-screen, with every leaf box of a tree of over 20,000 leaves.
 struct Viewer {
   Viewer() {
     auto made = Offscreen::create(size);
     BSPVIEW_CHECK(made.ok());
     offscreen = *std::move(made);
     State state;
+    open_source(state, "spd:gears");
     state.boxes.visible = true;
     state.boxes.cells = BoxView::Cells::all;
     state.measure_times = false;
