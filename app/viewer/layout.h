@@ -17,7 +17,7 @@ struct Rect {
 /// Where the user has dragged the splitters.
 struct Splits {
   float left = 262.0f;   ///< width of the left column, in pixels at scale 1
-  float right = 330.0f;  ///< width of the right column, in pixels at scale 1
+  float right = 356.0f;  ///< width of the right column, in pixels at scale 1
   float ray = 0.40f;     ///< share of the right column that the ray panel takes
 
   bool operator==(const Splits&) const = default;
