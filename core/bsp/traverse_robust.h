@@ -16,6 +16,9 @@ template <class Leaf, class Observer>
 std::uint32_t traverse_robust(const Tree& tree, const RayWalk& ray, Leaf&& leaf,
                               Observer& observer) {
   constexpr float below = 1.0f - plane_error, above = 1.0f + plane_error;
+  // Cells overlap by the widths of their borders, so that one further down the stack may be entered
+  // before the one on top: up to (1 + plane_error) / (1 - plane_error) before it.
+  constexpr double sooner = 1.0 - 4.0 * plane_error, later = 1.0 + 4.0 * plane_error;
   RayInterval interval = root_interval(tree, ray);
   if (!(interval.enter <= interval.exit)) return no_leaf;
   WalkStack stack;
@@ -27,7 +30,8 @@ std::uint32_t traverse_robust(const Tree& tree, const RayWalk& ray, Leaf&& leaf,
       const double best = leaf(index, node);
       if (stack.empty()) return index;
       const auto next = stack.pop();
-      if (best * above < next.interval.enter * ray.scale) return index;
+      const double reach = best * (best < 0.0 ? sooner : later);
+      if (reach < next.interval.enter * ray.scale) return index;
       index = next.node;
       interval = next.interval;
       continue;

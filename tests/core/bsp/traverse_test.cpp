@@ -203,6 +203,26 @@ TEST(Traverse, AnyHitIsThereExactlyWhenTheClosestIs) {
   }
 }
 
+TEST(Traverse, EqualHitsInCellsThatOverlapByRoundingGoToTheLowerObject) {
+  // Leaves the corner of four squares within 2^-73 of a row of planes.
+  const Scene scene = test::cube_grid(5, {0.1f, 0.2f, 0.3f});
+  const Vec3 corner{0x1.19999ap+0f, 0x1.99999ap-2f, 0x1.cccccep-1f};
+  const std::vector<Ray> rays{{corner, {-1.0f, 0x1.679524p-73f, -1.0f}}};
+  for (const int leaf_size : {1, 4, 16}) {
+    expect_brute_force(scene, build(scene, Builder::sah, leaf_size), rays);
+    BuildParams params{.leaf_size = leaf_size};
+    expect_brute_force(scene, *build_scene_tree(scene, params), rays);
+  }
+}
+
+TEST(Traverse, HitsBehindTheOriginAreFoundWhereTheIntervalAllows) {
+  const Scene scene = test::random_scene(300, 36);
+  const Tree tree = build(scene, Builder::sah);
+  std::vector<Ray> rays = random_rays(2000, 37);
+  for (Ray& ray : rays) ray.t_min = -2.0f;
+  expect_brute_force(scene, tree, rays);
+}
+
 TEST(Traverse, HitsOutsideTheIntervalDoNotCount) {
   const Scene scene = test::random_scene(300, 31);
   const Tree tree = build(scene, Builder::sah);
