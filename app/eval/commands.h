@@ -9,5 +9,6 @@ void add_stats(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_cast(CLI::App& app, Run& run);
 void add_spd(CLI::App& app, Run& run);
+void add_stress(CLI::App& app, Run& run);
 
 }  // namespace bspview
