@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/base/timer.h"
+#include "core/render/adaptive.h"
 #include "core/render/pixel_grid.h"
 
 namespace bspview {
@@ -15,7 +16,12 @@ class Progress {
  public:
   Progress(const World& world, const Camera& camera, const RenderParams& params,
            std::stop_token stop)
-      : world_(world), params_(params), stop_(stop), eye_(camera, params.width, params.height) {
+      : world_(world),
+        params_(params),
+        stop_(stop),
+        eye_(camera, params.width, params.height),
+        offsets_(sample_pattern(std::max(1, params.samples))),
+        samples_(params.width, params.height, is_adaptive(params) ? params.adaptive : 0.0f) {
     const std::size_t pixels = static_cast<std::size_t>(params.width) * params.height;
     frame_.width = params.width;
     frame_.height = params.height;
@@ -23,8 +29,7 @@ class Progress {
     frame_.distance.assign(pixels, std::numeric_limits<float>::infinity());
     frame_.object.assign(pixels, no_index);
     frame_.leaf.assign(pixels, no_leaf);
-    frame_.pass_count = static_cast<int>(strides.size()) + std::max(1, params.samples) - 1;
-    sums_.resize(pixels);
+    frame_.pass_count = static_cast<int>(strides.size() + offsets_.size()) - 1;
   }
 
   /// Pass number frame().pass; false when it was stopped.
@@ -33,10 +38,11 @@ class Progress {
     if (frame_.pass < coarse) {
       trace_stride(frame_.pass);
     } else {
-      add_sample(frame_.pass - coarse + 1);
+      add_sample(static_cast<std::size_t>(frame_.pass - coarse) + 1);
     }
     if (stop_.stop_requested()) return false;
     ++frame_.pass;
+    if (!samples_.any_lives()) frame_.pass_count = frame_.pass;
     frame_.counted = frame_.pass >= coarse;
     frame_.seconds = timer_.seconds();
     return true;
@@ -68,12 +74,10 @@ class Progress {
   }
 
   void trace_centre(Shader<CountTracer>& shader, int x, int y) {
-    const Vec2 offset = sample_offset(0);
     Hit hit;
     const std::size_t i = index(x, y);
-    sums_[i] = shader.eye_color(
-        eye_.ray(static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y), hit);
-    frame_.color[i] = sums_[i];
+    frame_.color[i] = shader.eye_color(sample_ray(eye_, x, y, offsets_[0]), hit);
+    samples_.add(i, frame_.color[i]);
     frame_.distance[i] = static_cast<float>(hit.t);
     frame_.object[i] = hit.object;
     frame_.leaf[i] = hit.leaf;
@@ -93,29 +97,30 @@ class Progress {
     }
   }
 
-  void add_sample(int sample) {
-    const Vec2 offset = sample_offset(sample);
-    for_each_tile(params_.width, params_.height, stop_, [&](const Tile& tile, int) {
+  /// Sample number `sample` in every pixel that lives.
+  void add_sample(std::size_t sample) {
+    for_each_tile(params_.width, params_.height, stop_, [&](const Tile& tile, int number) {
+      if (!samples_.any_lives_in(number)) return;
       PlainTracer tracer(world_, trace_rules(params_));
       Shader shader(world_.scene, params_, tracer);
       Hit hit;
-      for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-          const std::size_t i = index(x, y);
-          sums_[i] += shader.eye_color(
-              eye_.ray(static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y), hit);
-          frame_.color[i] = sums_[i] / static_cast<float>(sample + 1);
-        }
-      }
+      for_each_pixel(tile, [&](int x, int y) {
+        const std::size_t i = index(x, y);
+        if (!samples_.lives(i)) return;
+        samples_.add(i, shader.eye_color(sample_ray(eye_, x, y, offsets_[sample]), hit));
+        frame_.color[i] = samples_.mean(i);
+      });
     });
+    if (samples_.judges_after(static_cast<int>(sample) + 1)) samples_.judge(stop_);
   }
 
   World world_;
   RenderParams params_;
   std::stop_token stop_;
   PrimaryRays eye_;
+  std::vector<Vec2> offsets_;  // of the samples in their pixel
+  PixelSamples samples_;
   Frame frame_;
-  std::vector<Vec3> sums_;  // of the samples of each pixel
   Timer timer_;
 };
 

@@ -1,5 +1,8 @@
 #include "core/render/render.h"
 
+#include <span>
+
+#include "core/render/adaptive.h"
 #include "core/render/pixel_grid.h"
 #include "core/render/record.h"
 
@@ -32,41 +35,79 @@ Image mean_of_corners(const Image& corners) {
   return image;
 }
 
-/// Traces every pixel, one tracer a tile: make_tracer() before it, done(tracer, tile index) after.
+/// Every pixel with the same samples. See trace_image.
 template <class MakeTracer, class Done>
-Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const Done& done) {
+Image trace_uniform(const Job& job, const MakeTracer& make_tracer, const Done& done) {
   const RenderParams& params = job.params;
   const PrimaryRays eye(job.camera, params.width, params.height);
   const int border = params.spd_rules ? 1 : 0;
-  const int samples = params.spd_rules ? 1 : std::max(1, params.samples);
+  const std::vector<Vec2> offsets =
+      params.spd_rules ? std::vector{Vec2(0.0f)} : sample_pattern(std::max(1, params.samples));
   Image image{params.width + border, params.height + border, {}};
   image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
 
   const int tiles = tile_count(image.width, image.height);
-  const auto trace_tile = [&](const Tile& tile, int index) {
+  for_each_tile(image.width, image.height, job.watch.stop, [&](const Tile& tile, int index) {
     auto tracer = make_tracer();
     Shader shader(job.scene, params, tracer);
     Hit hit;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-      for (int x = tile.x0; x < tile.x1; ++x) {
-        Vec3 sum(0.0f);
-        for (int sample = 0; sample < samples; ++sample) {
-          const Vec2 offset = params.spd_rules ? Vec2(0.0f) : sample_offset(sample);
-          const Ray ray =
-              eye.ray(static_cast<float>(x) + offset.x, static_cast<float>(y) + offset.y);
-          sum += shader.eye_color(ray, hit);
-        }
-        image.pixels[static_cast<std::size_t>(y) * image.width + x] =
-            sum / static_cast<float>(samples);
-      }
-    }
+    for_each_pixel(tile, [&](int x, int y) {
+      Vec3 sum(0.0f);
+      for (const Vec2 offset : offsets) sum += shader.eye_color(sample_ray(eye, x, y, offset), hit);
+      image.pixels[static_cast<std::size_t>(y) * image.width + x] =
+          sum / static_cast<float>(offsets.size());
+    });
     done(tracer, index);
     job.watch.advance(1.0 / tiles);
+  });
+  return params.spd_rules ? mean_of_corners(image) : image;
+}
+
+/// Every pixel with as many samples as it needs, in rounds. See trace_image.
+template <class MakeTracer, class Done>
+Image trace_adaptive(const Job& job, const MakeTracer& make_tracer, const Done& done) {
+  const RenderParams& params = job.params;
+  const PrimaryRays eye(job.camera, params.width, params.height);
+  const std::vector<Vec2> offsets = sample_pattern(std::max(1, params.samples));
+  PixelSamples samples(params.width, params.height, params.adaptive);
+
+  const auto trace_round = [&](std::span<const Vec2> round) {
+    for_each_tile(params.width, params.height, job.watch.stop, [&](const Tile& tile, int index) {
+      if (!samples.any_lives_in(index)) return;
+      auto tracer = make_tracer();
+      Shader shader(job.scene, params, tracer);
+      Hit hit;
+      for_each_pixel(tile, [&](int x, int y) {
+        const std::size_t pixel = static_cast<std::size_t>(y) * params.width + x;
+        if (!samples.lives(pixel)) return;
+        for (const Vec2 at : round) {
+          samples.add(pixel, shader.eye_color(sample_ray(eye, x, y, at), hit));
+        }
+      });
+      done(tracer, index);
+    });
   };
-  with_threads(params.threads,
-               [&] { for_each_tile(image.width, image.height, job.watch.stop, trace_tile); });
+  for (std::size_t taken = 0; taken < offsets.size();) {
+    const std::size_t more = std::min<std::size_t>(judged_samples, offsets.size() - taken);
+    if (samples.any_lives()) trace_round(std::span(offsets).subspan(taken, more));
+    taken += more;
+    if (samples.judges_after(static_cast<int>(taken))) samples.judge(job.watch.stop);
+    job.watch.advance(static_cast<double>(more) / static_cast<double>(offsets.size()));
+  }
+  return Image{params.width, params.height, samples.means()};
+}
+
+/// Traces the picture; for each tile, or for each tile of a round, make_tracer() makes the tracer
+/// before it and done(tracer, tile index) takes it after.
+template <class MakeTracer, class Done>
+Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const Done& done) {
+  Image image;
+  with_threads(job.params.threads, [&] {
+    image = is_adaptive(job.params) ? trace_adaptive(job, make_tracer, done)
+                                    : trace_uniform(job, make_tracer, done);
+  });
   if (job.watch.stopped()) return stopped();
-  return params.spd_rules ? mean_of_corners(image) : std::move(image);
+  return image;
 }
 
 int tiles_of(const RenderParams& params) {
@@ -90,7 +131,7 @@ Result<CountedImage> render_counted(const World& world, const Camera& camera,
       Job{world.scene, camera, params, watch},
       [&] { return CountTracer(world, trace_rules(params)); },
       [&](CountTracer& tracer, int tile) {
-        counts[static_cast<std::size_t>(tile)] = tracer.counts();
+        counts[static_cast<std::size_t>(tile)] += tracer.counts();
       });
   if (!image) return image.error();
   CountedImage result{std::move(*image), {}};
@@ -112,7 +153,8 @@ Result<std::vector<RecordedRay>> record_rays(const World& world, const Camera& c
       Job{world.scene, camera, params, watch},
       [&] { return RecordTracer(world, trace_rules(params)); },
       [&](RecordTracer& tracer, int tile) {
-        tiles[static_cast<std::size_t>(tile)] = std::move(tracer.rays());
+        auto& rays = tiles[static_cast<std::size_t>(tile)];
+        rays.insert(rays.end(), tracer.rays().begin(), tracer.rays().end());
       });
   if (!image) return image.error();
   std::vector<RecordedRay> rays;

@@ -19,9 +19,15 @@ struct RenderParams {
   int width = 512, height = 512;  ///< pixels
   int samples = 1;                ///< rays a pixel; with spd_rules: corner rays, samples ignored
   int max_ray_depth = 5;          ///< levels of rays, the eye ray being level 1
-  bool spd_rules = false;         ///< corner rays, one-sided objects, every secondary ray is shot
+  bool spd_rules = false;         ///< corner rays, one-sided objects, every ray shot: cutoff and
+                                  ///< adaptive are ignored
   Traversal traversal = Traversal::robust;
   int threads = 0;  ///< 0: every core; never changes the picture
+  /// Reflected, refracted and shadow rays are not shot where they count for less. See shade.h.
+  float cutoff = 0.0f;
+  /// A pixel gets no more samples once its error is estimated below it; 0: every pixel gets
+  /// `samples`. See adaptive.h.
+  float adaptive = 0.0f;
 
   bool operator==(const RenderParams&) const = default;
 };
@@ -57,15 +63,17 @@ struct Frame {
   std::vector<float> distance;        ///< t of the first hit of the pixel-centre ray; inf: none
   std::vector<std::uint32_t> object;  ///< its object; no_index: none
   std::vector<std::uint32_t> leaf;    ///< node index of the leaf where it was found; no_leaf: none
-  int pass = 0, pass_count = 0;       ///< done and planned; pass == pass_count: converged
+  int pass = 0, pass_count = 0;       ///< done and planned; pass == pass_count: converged. Planned
+                                      ///< are fewer as soon as adaptive sampling needs no more
   double seconds = 0.0;               ///< since the start of the picture
   RayCounts counts;                   ///< of the first pass with one sample in every pixel
   bool counted = false;               ///< that pass is done: counts are those of one ray a pixel
 };
 
 /// Passes with a ray in every 8th, 4th, 2nd and every pixel in both directions, then one more
-/// sample a pixel in every pass until params.samples. Calls publish(frame) after each pass, on the
-/// calling thread; returns when converged or when `stop` is requested (polled per tile).
+/// sample in every pass, in every pixel that lives, until params.samples. Calls publish(frame)
+/// after each pass, on the calling thread; returns when converged or when `stop` is requested
+/// (polled per tile). The converged picture is that of render_image.
 void render_progressive(const World& world, const Camera& camera, const RenderParams& params,
                         std::stop_token stop, const std::function<void(const Frame&)>& publish);
 

@@ -3,6 +3,7 @@
 // After Whitted 1980, "An improved illumination model for shaded display", with Phong highlights
 // and the rules of the Standard Procedural Databases.
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/render/render.h"
@@ -11,6 +12,15 @@
 namespace bspview {
 
 /// Colour along rays, recursively. Tracer: see tracer.h.
+///
+/// The weight of a ray is the product of the factors (Ks, T, or both together after total internal
+/// reflection) that scale its colour on the way back to the eye; it is 1 for the eye ray. With a
+/// cut-off c > 0 these rays are not shot, and count as black:
+/// - reflected and refracted rays of a weight below c: the picture loses less than c times what
+///   they would have seen;
+/// - shadow rays when weight times the largest channel of the light's share (Phong, unshadowed) is
+///   below c: the point counts as shadowed, the picture loses less than c for each light.
+/// The SPD's rules, which prescribe every ray, know no cut-off.
 template <class Tracer>
 class Shader {
  public:
@@ -19,31 +29,41 @@ class Shader {
         tracer_(tracer),
         max_level_(params.max_ray_depth),
         every_ray_(params.spd_rules),
+        cutoff_(params.spd_rules ? 0.0f : params.cutoff),
         intensity_(0.5f /
                    std::sqrt(std::max<float>(1.0f, static_cast<float>(scene.lights.size())))) {}
 
   /// Colour seen along an eye ray; what it hit goes to `hit`.
   Vec3 eye_color(const Ray& ray, Hit& hit) {
     hit = tracer_.closest(ray, RayKind::primary, 1);
-    return hit ? shade(ray, hit, 1) : scene_.background;
+    return hit ? shade(ray, hit, {1, 1.0f}) : scene_.background;
   }
 
  private:
-  Vec3 color_along(const Ray& ray, RayKind kind, int level) {
-    const Hit hit = tracer_.closest(ray, kind, level);
-    return hit ? shade(ray, hit, level) : scene_.background;
+  /// How a ray stands to the eye.
+  struct Path {
+    int level;
+    float weight;
+  };
+
+  /// The colour times its `share` of the ray before, whose path is `path`.
+  Vec3 color_along(const Ray& ray, RayKind kind, Path path, float share) {
+    const Path next{path.level + 1, path.weight * share};
+    if (next.weight < cutoff_) return Vec3(0.0f);
+    const Hit hit = tracer_.closest(ray, kind, next.level);
+    return share * (hit ? shade(ray, hit, next) : scene_.background);
   }
 
-  Vec3 shade(const Ray& ray, const Hit& hit, int level) {
+  Vec3 shade(const Ray& ray, const Hit& hit, Path path) {
     const Surface surface = surface_at(scene_, ray, hit);
     const Vec3d view = glm::normalize(Vec3d(ray.direction));
-    Vec3 color = local_color(surface, view, level);
-    if (level < max_level_) color += secondary_color(surface, view, level);
+    Vec3 color = local_color(surface, view, path);
+    if (path.level < max_level_) color += secondary_color(surface, view, path);
     return color;
   }
 
   /// Ambient, diffuse and highlight.
-  Vec3 local_color(const Surface& surface, Vec3d view, int level) {
+  Vec3 local_color(const Surface& surface, Vec3d view, Path path) {
     const Material& material = *surface.material;
     const Vec3 diffuse = material.diffuse * material.color;
     Vec3 color = intensity_ * diffuse;
@@ -54,16 +74,21 @@ class Shader {
       const Vec3d way = glm::normalize(to_light);
       const double cosine = glm::dot(surface.shading_normal, way);
       if (!(cosine > 0.0) || glm::dot(surface.normal, way) <= 0.0) continue;
-      if (in_shadow(surface, light, level)) continue;
-      const double highlight = std::max(0.0, glm::dot(mirrored, way));
-      const float gloss =
-          material.specular > 0.0f
-              ? material.specular * static_cast<float>(std::pow(highlight, material.shine))
-              : 0.0f;
-      color += intensity_ * light.color * (static_cast<float>(cosine) * diffuse + Vec3(gloss));
+      const auto share = [&] {
+        const double highlight = std::max(0.0, glm::dot(mirrored, way));
+        const float gloss =
+            material.specular > 0.0f
+                ? material.specular * static_cast<float>(std::pow(highlight, material.shine))
+                : 0.0f;
+        return intensity_ * light.color * (static_cast<float>(cosine) * diffuse + Vec3(gloss));
+      };
+      if (cutoff_ > 0.0f && path.weight * largest(share()) < cutoff_) continue;
+      if (!in_shadow(surface, light, path.level)) color += share();
     }
     return color;
   }
+
+  static float largest(Vec3 color) { return std::max({color.x, color.y, color.z}); }
 
   bool in_shadow(const Surface& surface, const Light& light, int level) {
     const Vec3 origin = leaving_origin(surface, Vec3d(light.position) - surface.point);
@@ -73,7 +98,7 @@ class Shader {
 
   /// Reflection and refraction; a ray is sent only where its colour counts, or, under the SPD's
   /// rules, wherever they ask for one.
-  Vec3 secondary_color(const Surface& surface, Vec3d view, int level) {
+  Vec3 secondary_color(const Surface& surface, Vec3d view, Path path) {
     const Material& material = *surface.material;
     const bool transparent = material.transmittance > 0.0f;
     if (!(material.specular > 0.0f) && !transparent) return Vec3(0.0f);
@@ -81,16 +106,15 @@ class Shader {
     float reflectance = material.specular;
     if (transparent) {
       if (const auto direction = refracted(surface, view)) {
-        color += material.transmittance *
-                 color_along(leaving_ray(surface, *direction), RayKind::refracted, level + 1);
+        color += color_along(leaving_ray(surface, *direction), RayKind::refracted, path,
+                             material.transmittance);
       } else {
         reflectance += material.transmittance;  // total internal reflection
       }
     }
     if (reflectance > 0.0f || every_ray_) {
       const Vec3d direction = reflected(surface, view);
-      color +=
-          reflectance * color_along(leaving_ray(surface, direction), RayKind::reflected, level + 1);
+      color += color_along(leaving_ray(surface, direction), RayKind::reflected, path, reflectance);
     }
     return color;
   }
@@ -120,6 +144,7 @@ class Shader {
   Tracer& tracer_;
   int max_level_;
   bool every_ray_;
+  float cutoff_;
   float intensity_;  // of each light and of the ambient light
 };
 
