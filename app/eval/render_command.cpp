@@ -123,6 +123,8 @@ Result<Report> picture_report(const SceneAndTree& built, const RenderOptions& op
   report.seed = options.tree.seed;
   report.tree = TreeReport(built.tree, options.tree.traversal);
   report.rays = counted->counts;
+  report.samples_per_pixel = static_cast<double>(counted->counts.primary) /
+                             static_cast<double>(counted->image.pixels.size());
   report.delta = compute_delta(report.tree->stats, report.objects.objects, counted->counts);
   report.lambda = *lambda;
   return report;
@@ -160,21 +162,41 @@ void set_heat(const std::string& name, std::optional<Heat>& heat) {
   heat = static_cast<Heat>(found - heat_names().begin());
 }
 
-void add_picture_options(CLI::App& command, RenderOptions& options) {
-  add_picture_size(command, "--size", options.size)
-      ->description("Pixels; default: as the scene's view says");
-  command.add_option("--spp", options.render.samples, "Rays a pixel")
+void add_sampling_options(CLI::App& command, RenderParams& params) {
+  command.add_option("--spp", params.samples, "Rays a pixel")
       ->check(CLI::Range(1, 65536).description(""))
       ->type_name("N")
       ->capture_default_str();
+  command
+      .add_option("--adaptive", params.adaptive,
+                  "A pixel with 8 rays gets no more once its error, from 0 to 1, is estimated "
+                  "below F; 0: each gets --spp")
+      ->check(finite_number(0.0, 1.0))
+      ->type_name("F")
+      ->capture_default_str();
+  command
+      .add_option("--cutoff", params.cutoff,
+                  "Rays that change a pixel by a share below F are not shot; 0: all are")
+      ->check(finite_number(0.0, 1.0))
+      ->type_name("F")
+      ->capture_default_str();
+}
+
+void add_picture_options(CLI::App& command, RenderOptions& options) {
+  add_picture_size(command, "--size", options.size)
+      ->description("Pixels; default: as the scene's view says");
+  add_sampling_options(command, options.render);
   command
       .add_option("--max-ray-depth", options.render.max_ray_depth,
                   "Levels of rays; the eye ray is level 1")
       ->check(CLI::Range(1, 64).description(""))
       ->type_name("N")
       ->capture_default_str();
-  command.add_flag("--spd-rules", options.render.spd_rules,
-                   "Rays through pixel corners, one-sided objects, every secondary ray");
+  command
+      .add_flag("--spd-rules", options.render.spd_rules,
+                "Rays through pixel corners, one-sided objects, every secondary ray")
+      ->excludes("--adaptive")
+      ->excludes("--cutoff");
   command.add_option("--repeat", options.repeats, "Measure T_CB and T_TR at least N times")
       ->check(CLI::Range(1, 100000).description(""))
       ->type_name("N")

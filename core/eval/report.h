@@ -32,6 +32,7 @@ struct Report {
   std::optional<Delta> delta;
   std::optional<Lambda> lambda;
   std::optional<RayCounts> rays;
+  std::optional<double> samples_per_pixel;  ///< eye rays / pixels
   std::uint64_t seed = 0;
   Machine machine = this_machine();
 };

@@ -127,7 +127,8 @@ Json rays_json(const Report& report) {
                   {"minimal_tests", rays.minimal_tests()},
                   {"tests", rays.tests},
                   {"nodes_interior", rays.nodes_inner},
-                  {"nodes_leaf", rays.nodes_leaf}},
+                  {"nodes_leaf", rays.nodes_leaf},
+                  {"samples_per_pixel", or_null(report.samples_per_pixel)}},
                  report.rays.has_value());
 }
 

@@ -119,6 +119,9 @@ std::string to_text(const Report& report) {
   if (report.delta) text += delta_text(*report.delta);
   if (report.lambda) text += lambda_text(*report.lambda);
   if (report.rays) text += rays_text(*report.rays);
+  if (report.samples_per_pixel) {
+    text += fmt::format("  {} samples a pixel\n", number(report.samples_per_pixel));
+  }
   return text;
 }
 

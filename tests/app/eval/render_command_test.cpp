@@ -77,6 +77,35 @@ TEST_F(Render, SizeSamplesAndCornerRaysSayHowManyEyeRaysThereAre) {
   EXPECT_EQ(json_of("s.nff -o a.png --max-ray-depth 1")["rays"]["reflected"], 0);
 }
 
+TEST_F(Render, SaysHowManySamplesAPixelGotOnAverage) {
+  const std::string common = "s.nff -o a.png --size 40x30 --spp 32 ";
+  EXPECT_EQ(json_of(common)["rays"]["samples_per_pixel"], 32.0);
+  const Json adaptive = json_of(common + "--adaptive 0.02")["rays"];
+  EXPECT_GE(adaptive["samples_per_pixel"], 8.0);
+  EXPECT_LT(adaptive["samples_per_pixel"], 32.0);
+  EXPECT_EQ(double(adaptive["samples_per_pixel"]) * 40 * 30, double(adaptive["primary"]));
+  EXPECT_NE(run("render " + common).out.find("  32 samples a pixel\n"), std::string::npos);
+}
+
+TEST_F(Render, ACutOffLeavesOutRays) {
+  const std::string common = "spd:balls:1 -o a.png --size 40x30 ";
+  const Json all = json_of(common)["rays"], cut = json_of(common + "--cutoff 0.3")["rays"];
+  EXPECT_EQ(all["primary"], cut["primary"]);
+  EXPECT_LT(cut["reflected"], all["reflected"]);
+  EXPECT_LT(cut["shadow"], all["shadow"]);
+}
+
+TEST_F(Render, ThresholdsAreNumbersFromZeroToOneAndNotForSpdRules) {
+  for (const std::string option : {"--adaptive", "--cutoff"}) {
+    for (const std::string value : {"nan", "-0.1", "1.5", "x"}) {
+      const Outcome outcome = run("render s.nff -o a.png " + option + " " + value);
+      EXPECT_EQ(outcome.exit_code, 2) << option << ' ' << value;
+      EXPECT_NE(outcome.err.find(option), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(run("render s.nff -o a.png --spd-rules " + option + " 0.1").exit_code, 2);
+  }
+}
+
 TEST_F(Render, NothingInViewLeavesTheRatioOfTestsUndefined) {
   write("away.nff",
         "v\nfrom 0 0 20\nat 0 0 40\nup 0 1 0\nangle 40\nhither 1\nresolution 8 8\n"
