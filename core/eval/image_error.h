@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,11 @@ double rmse(const Image& image, const Image& reference);
 /// minimization"): errors in the dark weigh more.
 double rel_mse(const Image& image, const Image& reference);
 
-/// Which pictures of a scene are compared.
+/// Which pictures of a scene are compared, and how often they are timed.
 struct ImageErrorParams {
   RenderParams render;           ///< size, ray depth, traversal, threads; the rest is replaced
   int reference_samples = 1024;  ///< rays a pixel of the converged picture: uniform, no cut-off
-  std::vector<int> samples{1, 2, 4, 8, 16, 32, 64};                     ///< of uniform sampling
+  std::vector<int> samples{1, 2, 4, 8, 16, 32, 64, 128};                ///< of uniform sampling
   std::vector<float> thresholds{0.04f, 0.02f, 0.01f, 0.005f, 0.0025f};  ///< of adaptive sampling
   int adaptive_samples = 256;                                           ///< most rays a pixel there
   std::vector<float> cutoffs{0.002f, 0.01f, 0.05f};  ///< each with uniform sampling; 0 comes anyway
@@ -51,23 +52,28 @@ Result<std::vector<ImageErrorCurve>> measure_image_error(const World& world, con
                                                          const ImageErrorParams& params,
                                                          const Watch& watch = {});
 
-/// A point of one curve against another curve, which is interpolated between its points by
-/// straight lines in logarithms.
+/// Where a curve is between its points, by straight lines in logarithms: the samples a pixel and
+/// the seconds that it takes to an error, the error after a time. nullopt beyond its ends.
+std::optional<double> samples_for(const ImageErrorCurve& curve, double rmse);
+std::optional<double> seconds_for(const ImageErrorCurve& curve, double rmse);
+std::optional<double> rmse_after(const ImageErrorCurve& curve, double seconds);
+
+/// A point of one curve against another, the base.
 struct ImageErrorMatch {
   std::string name;           ///< of the point
   double rmse = 0.0;          ///< of the point
   double samples = 0.0;       ///< a pixel, of the point
-  double base_samples = 0.0;  ///< that the other curve needs for the same rmse
+  double base_samples = 0.0;  ///< that the base takes to the same rmse
   double seconds = 0.0;       ///< of the point
-  double base_seconds = 0.0;  ///< that the other curve needs for the same rmse
-  double base_rmse = 0.0;     ///< of the other curve in the same seconds
+  double base_seconds = 0.0;  ///< that the base takes to the same rmse
+  double base_rmse = 0.0;     ///< of the base after the same seconds
 
   double samples_saved() const { return 1.0 - samples / base_samples; }
   double seconds_saved() const { return 1.0 - seconds / base_seconds; }
   double rmse_ratio() const { return rmse / base_rmse; }
 };
 
-/// Every point of `curve` whose rmse and time both lie within those of `base`.
+/// Every point of `curve` whose rmse and seconds both lie within those of `base`.
 std::vector<ImageErrorMatch> match(const ImageErrorCurve& curve, const ImageErrorCurve& base);
 
 }  // namespace bspview
