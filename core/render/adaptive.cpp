@@ -39,21 +39,17 @@ void PixelSamples::add(std::size_t pixel, Vec3 color) {
   ++counts_[pixel];
 }
 
-std::vector<Vec3> PixelSamples::means() const {
-  std::vector<Vec3> colors(sums_.size());
-  for (std::size_t pixel = 0; pixel < colors.size(); ++pixel) colors[pixel] = mean(pixel);
-  return colors;
+std::vector<Vec3> PixelSamples::means() && {
+  for (std::size_t pixel = 0; pixel < sums_.size(); ++pixel) sums_[pixel] = mean(pixel);
+  return std::move(sums_);
 }
 
 bool PixelSamples::any_lives() const {
   return std::ranges::find(tile_alive_, 1) != tile_alive_.end();
 }
 
-bool PixelSamples::judges_after(int samples) const {
-  return threshold_ > 0.0f && samples % judged_samples == 0;
-}
-
 void PixelSamples::judge(std::stop_token stop) {
+  if (threshold_ <= 0.0f) return;
   for_each_tile(width_, height_, stop, [&](const Tile& tile, int number) {
     if (!any_lives_in(number)) return;
     for_each_pixel(tile, [&](int x, int y) {

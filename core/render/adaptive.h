@@ -31,17 +31,15 @@ class PixelSamples {
 
   void add(std::size_t pixel, Vec3 color);
   Vec3 mean(std::size_t pixel) const { return sums_[pixel] / static_cast<float>(counts_[pixel]); }
-  std::vector<Vec3> means() const;
+  std::vector<Vec3> means() &&;
   bool lives(std::size_t pixel) const { return alive_[pixel] != 0; }
 
   /// Whether some pixel lives, of the picture or of a tile (see pixel_grid.h).
   bool any_lives() const;
   bool any_lives_in(int tile) const { return tile_alive_[static_cast<std::size_t>(tile)] != 0; }
 
-  /// Whether pixels are judged once those that live have `samples` samples.
-  bool judges_after(int samples) const;
   /// Judges the pixels that live, on the threads of the enclosing with_threads; what a stop leaves
-  /// undone stays undone.
+  /// undone stays undone. Nothing at threshold 0.
   void judge(std::stop_token stop);
 
  private:

@@ -111,7 +111,7 @@ class Progress {
         frame_.color[i] = samples_.mean(i);
       });
     });
-    if (samples_.judges_after(static_cast<int>(sample) + 1)) samples_.judge(stop_);
+    if ((sample + 1) % judged_samples == 0) samples_.judge(stop_);
   }
 
   World world_;

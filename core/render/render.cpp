@@ -35,79 +35,68 @@ Image mean_of_corners(const Image& corners) {
   return image;
 }
 
-/// Every pixel with the same samples. See trace_image.
-template <class MakeTracer, class Done>
-Image trace_uniform(const Job& job, const MakeTracer& make_tracer, const Done& done) {
-  const RenderParams& params = job.params;
-  const PrimaryRays eye(job.camera, params.width, params.height);
-  const int border = params.spd_rules ? 1 : 0;
-  const std::vector<Vec2> offsets =
-      params.spd_rules ? std::vector{Vec2(0.0f)} : sample_pattern(std::max(1, params.samples));
-  Image image{params.width + border, params.height + border, {}};
-  image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);
-
-  const int tiles = tile_count(image.width, image.height);
-  for_each_tile(image.width, image.height, job.watch.stop, [&](const Tile& tile, int index) {
-    auto tracer = make_tracer();
-    Shader shader(job.scene, params, tracer);
-    Hit hit;
-    for_each_pixel(tile, [&](int x, int y) {
-      Vec3 sum(0.0f);
-      for (const Vec2 offset : offsets) sum += shader.eye_color(sample_ray(eye, x, y, offset), hit);
-      image.pixels[static_cast<std::size_t>(y) * image.width + x] =
-          sum / static_cast<float>(offsets.size());
-    });
-    done(tracer, index);
-    job.watch.advance(1.0 / tiles);
-  });
-  return params.spd_rules ? mean_of_corners(image) : image;
+/// Where the rays of a pixel lie in it.
+std::vector<Vec2> ray_offsets(const RenderParams& params) {
+  return params.spd_rules ? std::vector{Vec2(0.0f)} : sample_pattern(std::max(1, params.samples));
 }
 
-/// Every pixel with as many samples as it needs, in rounds. See trace_image.
-template <class MakeTracer, class Done>
-Image trace_adaptive(const Job& job, const MakeTracer& make_tracer, const Done& done) {
-  const RenderParams& params = job.params;
-  const PrimaryRays eye(job.camera, params.width, params.height);
-  const std::vector<Vec2> offsets = sample_pattern(std::max(1, params.samples));
-  PixelSamples samples(params.width, params.height, params.adaptive);
-
-  const auto trace_round = [&](std::span<const Vec2> round) {
-    for_each_tile(params.width, params.height, job.watch.stop, [&](const Tile& tile, int index) {
-      if (!samples.any_lives_in(index)) return;
-      auto tracer = make_tracer();
-      Shader shader(job.scene, params, tracer);
-      Hit hit;
-      for_each_pixel(tile, [&](int x, int y) {
-        const std::size_t pixel = static_cast<std::size_t>(y) * params.width + x;
-        if (!samples.lives(pixel)) return;
-        for (const Vec2 at : round) {
-          samples.add(pixel, shader.eye_color(sample_ray(eye, x, y, at), hit));
-        }
-      });
-      done(tracer, index);
-    });
-  };
-  for (std::size_t taken = 0; taken < offsets.size();) {
-    const std::size_t more = std::min<std::size_t>(judged_samples, offsets.size() - taken);
-    if (samples.any_lives()) trace_round(std::span(offsets).subspan(taken, more));
-    taken += more;
-    if (samples.judges_after(static_cast<int>(taken))) samples.judge(job.watch.stop);
-    job.watch.advance(static_cast<double>(more) / static_cast<double>(offsets.size()));
+/// Calls round(offsets) for the samples up to each judgement, or for all at once.
+template <class TraceRound>
+void in_rounds(std::span<const Vec2> offsets, const RenderParams& params, const TraceRound& round) {
+  const std::size_t most = is_adaptive(params) ? judged_samples : offsets.size();
+  for (std::size_t first = 0; first < offsets.size(); first += most) {
+    round(offsets.subspan(first, std::min(most, offsets.size() - first)));
   }
-  return Image{params.width, params.height, samples.means()};
 }
 
-/// Traces the picture; for each tile, or for each tile of a round, make_tracer() makes the tracer
-/// before it and done(tracer, tile index) takes it after.
+/// The samples that the pixels that live get next.
+struct Round {
+  const PrimaryRays& eye;
+  std::span<const Vec2> offsets;
+  int width;  // of the picture
+  PixelSamples& samples;
+};
+
+template <class Tracer>
+void trace_tile(Shader<Tracer>& shader, const Tile& tile, const Round& round) {
+  Hit hit;
+  for_each_pixel(tile, [&](int x, int y) {
+    const std::size_t pixel = static_cast<std::size_t>(y) * round.width + x;
+    if (!round.samples.lives(pixel)) return;
+    for (const Vec2 offset : round.offsets) {
+      round.samples.add(pixel, shader.eye_color(sample_ray(round.eye, x, y, offset), hit));
+    }
+  });
+}
+
+/// Traces every pixel; for each tile, or with adaptive sampling for each tile of a round,
+/// make_tracer() makes the tracer before it and done(tracer, tile index) takes it after.
 template <class MakeTracer, class Done>
 Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const Done& done) {
-  Image image;
-  with_threads(job.params.threads, [&] {
-    image = is_adaptive(job.params) ? trace_adaptive(job, make_tracer, done)
-                                    : trace_uniform(job, make_tracer, done);
-  });
+  const RenderParams& params = job.params;
+  const PrimaryRays eye(job.camera, params.width, params.height);
+  const std::vector<Vec2> offsets = ray_offsets(params);
+  const int border = params.spd_rules ? 1 : 0;
+  const int width = params.width + border, height = params.height + border;
+  PixelSamples samples(width, height, is_adaptive(params) ? params.adaptive : 0.0f);
+
+  const double all = static_cast<double>(offsets.size()) * tile_count(width, height);
+  const auto trace_round = [&](std::span<const Vec2> next) {
+    for_each_tile(width, height, job.watch.stop, [&](const Tile& tile, int index) {
+      if (samples.any_lives_in(index)) {
+        auto tracer = make_tracer();
+        Shader shader(job.scene, params, tracer);
+        trace_tile(shader, tile, Round{eye, next, width, samples});
+        done(tracer, index);
+      }
+      job.watch.advance(static_cast<double>(next.size()) / all);
+    });
+    samples.judge(job.watch.stop);
+  };
+  with_threads(params.threads, [&] { in_rounds(offsets, params, trace_round); });
   if (job.watch.stopped()) return stopped();
-  return image;
+  Image image{width, height, std::move(samples).means()};
+  return params.spd_rules ? mean_of_corners(image) : std::move(image);
 }
 
 int tiles_of(const RenderParams& params) {

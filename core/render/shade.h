@@ -65,8 +65,7 @@ class Shader {
   /// Ambient, diffuse and highlight.
   Vec3 local_color(const Surface& surface, Vec3d view, Path path) {
     const Material& material = *surface.material;
-    const Vec3 diffuse = material.diffuse * material.color;
-    Vec3 color = intensity_ * diffuse;
+    Vec3 color = intensity_ * (material.diffuse * material.color);
     if (material.diffuse <= 0.0f && material.specular <= 0.0f) return color;
     const Vec3d mirrored = glm::reflect(view, surface.shading_normal);
     for (const Light& light : scene_.lights) {
@@ -74,21 +73,29 @@ class Shader {
       const Vec3d way = glm::normalize(to_light);
       const double cosine = glm::dot(surface.shading_normal, way);
       if (!(cosine > 0.0) || glm::dot(surface.normal, way) <= 0.0) continue;
-      const auto share = [&] {
-        const double highlight = std::max(0.0, glm::dot(mirrored, way));
-        const float gloss =
-            material.specular > 0.0f
-                ? material.specular * static_cast<float>(std::pow(highlight, material.shine))
-                : 0.0f;
-        return intensity_ * light.color * (static_cast<float>(cosine) * diffuse + Vec3(gloss));
-      };
-      if (cutoff_ > 0.0f && path.weight * largest(share()) < cutoff_) continue;
-      if (!in_shadow(surface, light, path.level)) color += share();
+      const double highlight = std::max(0.0, glm::dot(mirrored, way));
+      if (cutoff_ > 0.0f) [[unlikely]] {
+        const Vec3 share = light_share(material, light, cosine, highlight);
+        if (path.weight * std::max({share.x, share.y, share.z}) < cutoff_) continue;
+      }
+      if (!in_shadow(surface, light, path.level)) {
+        color += light_share(material, light, cosine, highlight);
+      }
     }
     return color;
   }
 
-  static float largest(Vec3 color) { return std::max({color.x, color.y, color.z}); }
+  /// Of the colour of a point that the light reaches; `cosine` is that of its angle to the normal,
+  /// `highlight` that of its angle to the mirrored view.
+  Vec3 light_share(const Material& material, const Light& light, double cosine,
+                   double highlight) const {
+    const Vec3 diffuse = material.diffuse * material.color;
+    const float gloss =
+        material.specular > 0.0f
+            ? material.specular * static_cast<float>(std::pow(highlight, material.shine))
+            : 0.0f;
+    return intensity_ * light.color * (static_cast<float>(cosine) * diffuse + Vec3(gloss));
+  }
 
   bool in_shadow(const Surface& surface, const Light& light, int level) {
     const Vec3 origin = leaving_origin(surface, Vec3d(light.position) - surface.point);

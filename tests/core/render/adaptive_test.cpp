@@ -84,16 +84,9 @@ TEST(Adaptive, AColourThatIsNoNumberKeepsNoPixelAlive) {
 TEST(Adaptive, AtThresholdZeroNothingIsJudged) {
   PixelSamples samples(width, height, 0.0f);
   add_samples(samples, 8, Vec3(0.5f), Vec3(0.5f));
-  EXPECT_FALSE(samples.judges_after(8));
+  samples.judge({});
   EXPECT_EQ(living(samples).size(), std::size_t{width} * height);
   EXPECT_EQ(samples.mean(3), Vec3(0.5f));
-}
-
-TEST(Adaptive, PixelsAreJudgedAfterEightSamplesAndEightMore) {
-  const PixelSamples samples(width, height, 0.01f);
-  for (int count = 1; count <= 64; ++count) {
-    EXPECT_EQ(samples.judges_after(count), count % 8 == 0) << count;
-  }
 }
 
 }  // namespace
