@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 
-#include "core/eval/textbook_shapes.h"
+#include "core/render/textbook_shapes.h"
 
 namespace bspview {
 namespace {
 
 constexpr std::array<std::string_view, 4> face_tests{"float", "woop", "double", "exact"};
 constexpr std::array<std::string_view, 2> quadric_tests{"float", "double"};
-constexpr std::array<std::string_view, 2> offset_rules{"tmin", "bounded"};
 
 constexpr std::array<std::string_view, 4> face_sentences{
     "Moeller-Trumbore in float", "Woop in float", "Moeller-Trumbore in double", "exact faces"};
@@ -61,17 +60,11 @@ std::span<const std::string_view> face_test_names() {
 std::span<const std::string_view> quadric_test_names() {
   return quadric_tests;
 }
-std::span<const std::string_view> offset_rule_names() {
-  return offset_rules;
-}
 std::string_view name_of(FaceTest test) {
   return face_tests[static_cast<std::size_t>(test)];
 }
 std::string_view name_of(QuadricTest test) {
   return quadric_tests[static_cast<std::size_t>(test)];
-}
-std::string_view name_of(OffsetRule rule) {
-  return offset_rules[static_cast<std::size_t>(rule)];
 }
 
 Kernel make_kernel(const KernelChoice& choice) {

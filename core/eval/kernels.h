@@ -5,6 +5,7 @@
 
 #include "core/bsp/traversal.h"
 #include "core/eval/kernel.h"
+#include "core/render/arithmetic.h"
 
 namespace bspview {
 
@@ -12,22 +13,11 @@ namespace bspview {
 enum class FaceTest { moeller_float, woop_float, moeller_double, exact };
 /// Arithmetic of spheres, cones and cylinders.
 enum class QuadricTest { textbook_float, in_double };
-/// How a ray is kept from hitting the surface that it leaves.
-enum class OffsetRule {
-  fixed,         ///< every ray has at least t_min = fixed_t_min
-  error_bounded  ///< the origin is moved by the error of the hit point (leaving_origin)
-};
-
-/// The usual constant of textbooks, in units of the ray's direction.
-inline constexpr float fixed_t_min = 1e-4f;
-
 /// Names for people and files, in the order of the enumerators.
 std::span<const std::string_view> face_test_names();
 std::span<const std::string_view> quadric_test_names();
-std::span<const std::string_view> offset_rule_names();
 std::string_view name_of(FaceTest test);
 std::string_view name_of(QuadricTest test);
-std::string_view name_of(OffsetRule rule);
 
 /// What of tracing a ray decides about its errors and its speed; the default is that of pictures.
 struct KernelChoice {

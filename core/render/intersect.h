@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bsp/traverse.h"
+#include "core/render/arithmetic.h"
 #include "core/render/world.h"
 #include "core/shape/cone.h"
 #include "core/shape/polygon.h"
@@ -61,11 +62,12 @@ struct ExactShapes {
   }
 };
 
-/// How rays are traced: the walk, and what they see.
+/// How rays are traced: the walk, the tests, and what they see.
 struct TraceRules {
   Traversal traversal = Traversal::robust;
   SideRule sides = SideRule::two_sided;         ///< closest_hit
   SideRule shadow_sides = SideRule::two_sided;  ///< any_hit
+  Arithmetic arithmetic = Arithmetic::exact;    ///< of trace_closest and trace_any
   bool operator==(const TraceRules&) const = default;
 };
 

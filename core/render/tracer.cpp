@@ -16,7 +16,7 @@ PathRay& PathTracer::start(const Ray& ray, RayKind kind, int level) {
 Hit PathTracer::closest(const Ray& ray, RayKind kind, int level) {
   PathRay& path = start(ray, kind, level);
   LogObserver log(path.log);
-  const Hit hit = closest_hit(world_, ray, rules_, log);
+  const Hit hit = trace_closest(world_, ray, rules_, log);
   path.object = hit.object;
   path.t = hit.t;
   last_at_level_[static_cast<std::size_t>(level)] = static_cast<int>(rays_.size()) - 1;
@@ -26,7 +26,7 @@ Hit PathTracer::closest(const Ray& ray, RayKind kind, int level) {
 bool PathTracer::occluded(const Ray& ray, int level) {
   PathRay& path = start(ray, RayKind::shadow, level + 1);
   LogObserver log(path.log);
-  path.object = any_hit(world_, ray, rules_, log);
+  path.object = trace_any(world_, ray, rules_, log);
   if (path.object != no_index) path.t = path.log.tests.back().t;
   return path.object != no_index;
 }

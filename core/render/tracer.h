@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "core/render/intersect.h"
 #include "core/render/ray_counts.h"
 #include "core/render/render.h"
+#include "core/render/trace.h"
 
 namespace bspview {
 
@@ -17,11 +17,11 @@ class PlainTracer {
   PlainTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
   Hit closest(const Ray& ray, RayKind, int) {
     NoObserver none;
-    return closest_hit(world_, ray, rules_, none);
+    return trace_closest(world_, ray, rules_, none);
   }
   bool occluded(const Ray& ray, int) {
     NoObserver none;
-    return any_hit(world_, ray, rules_, none) != no_index;
+    return trace_any(world_, ray, rules_, none) != no_index;
   }
 
  private:
@@ -35,13 +35,13 @@ class CountTracer {
   CountTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
   Hit closest(const Ray& ray, RayKind kind, int) {
     CountObserver count(cost_);
-    const Hit hit = closest_hit(world_, ray, rules_, count);
+    const Hit hit = trace_closest(world_, ray, rules_, count);
     counts_.add_ray(kind, static_cast<bool>(hit));
     return hit;
   }
   bool occluded(const Ray& ray, int) {
     CountObserver count(cost_);
-    const bool hit = any_hit(world_, ray, rules_, count) != no_index;
+    const bool hit = trace_any(world_, ray, rules_, count) != no_index;
     counts_.add_ray(RayKind::shadow, hit);
     return hit;
   }
@@ -74,14 +74,14 @@ class RecordTracer {
   Hit closest(const Ray& ray, RayKind kind, int) {
     RayCost cost;
     CountObserver count(cost);
-    const Hit hit = closest_hit(world_, ray, rules_, count);
+    const Hit hit = trace_closest(world_, ray, rules_, count);
     rays_.push_back({ray, static_cast<std::uint32_t>(cost.leaves), kind});
     return hit;
   }
   bool occluded(const Ray& ray, int) {
     RayCost cost;
     CountObserver count(cost);
-    const bool hit = any_hit(world_, ray, rules_, count) != no_index;
+    const bool hit = trace_any(world_, ray, rules_, count) != no_index;
     rays_.push_back({ray, static_cast<std::uint32_t>(cost.leaves), RayKind::shadow});
     return hit;
   }

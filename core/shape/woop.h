@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/eval/textbook.h"
+#include "core/shape/textbook.h"
 
 namespace bspview {
 

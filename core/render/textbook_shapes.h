@@ -3,8 +3,8 @@
 // Shape tests for closest_hit and any_hit (core/render/intersect.h), put together from a test of
 // faces and one of quadrics; each brings what it needs to know of a ray.
 
-#include "core/eval/textbook_woop.h"
 #include "core/render/intersect.h"
+#include "core/shape/woop.h"
 
 namespace bspview {
 

@@ -1,11 +1,11 @@
-#include "core/eval/textbook.h"
+#include "core/shape/textbook.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "core/eval/textbook_woop.h"
 #include "core/shape/triangle.h"
+#include "core/shape/woop.h"
 #include "tests/support/random.h"
 
 namespace bspview {
