@@ -136,7 +136,10 @@ void App::want_picture() {
 
 void App::want_overlay() {
   const std::shared_ptr<const Picture>& picture = pictures_.value();
-  const bool path = state_.path_visible && paths_.value();
+  // The picture may still be of the tree before: node numbers of one tree mean nothing in another.
+  std::shared_ptr<const PixelRays> rays = paths_.value();
+  if (rays && picture && rays->request.tree != picture->request.tree) rays = nullptr;
+  const bool path = state_.path_visible && rays;
   if (!picture || (!state_.boxes.visible && !path)) return overlays_.want(std::nullopt);
   const RenderParams& params = picture->request.params;
   OverlayRequest request{.tree = picture->request.tree,
@@ -145,7 +148,7 @@ void App::want_overlay() {
                          .width = params.width,
                          .height = params.height,
                          .boxes = std::nullopt,
-                         .rays = paths_.value(),
+                         .rays = rays,
                          .path_visible = path,
                          .selection = state_.ray,
                          .line_width = ui_scale_,

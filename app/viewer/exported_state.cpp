@@ -71,8 +71,8 @@ json pick_json(const App& app) {
   json node{{"x", app.state().pick->pixel.column}, {"y", app.state().pick->pixel.row}};
   node["ray"] = app.state().ray.ray;
   node["step"] = app.state().ray.step;
-  node["rays"] = app.results().rays ? app.results().rays->size() : 0;
-  if (app.results().rays) node["steps"] = app.results().rays->front().log.steps.size();
+  node["rays"] = app.results().rays ? app.results().rays->rays.size() : 0;
+  if (app.results().rays) node["steps"] = app.results().rays->rays.front().log.steps.size();
   return node;
 }
 

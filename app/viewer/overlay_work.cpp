@@ -20,7 +20,7 @@ LeafMask shown_leaves(const OverlayRequest& request) {
   std::span<const std::uint32_t> surface;
   if (request.first_hits) surface = request.first_hits->leaf;
   std::span<const PathRay> rays;
-  if (request.rays) rays = *request.rays;
+  if (request.rays) rays = request.rays->rays;
   return choose_leaves(tree, view.filter, touched_leaves(tree, surface, rays));
 }
 
@@ -37,7 +37,7 @@ LineList box_lines(const OverlayRequest& request, const ScreenTransform& transfo
 
 LineList path_lines(const OverlayRequest& request, const ScreenTransform& transform) {
   const RayPathScene world{request.tree->request.scene->scene, request.tree->cells, transform};
-  LineList lines = ray_path_lines(world, *request.rays, request.selection);
+  LineList lines = ray_path_lines(world, request.rays->rays, request.selection);
   for (Line& line : lines) line.width *= request.line_width;
   return lines;
 }

@@ -77,7 +77,10 @@ struct PathRequest {
   Pick pick;
   bool operator==(const PathRequest&) const = default;
 };
-using PixelRays = std::vector<PathRay>;
+struct PixelRays {
+  PathRequest request;
+  std::vector<PathRay> rays;
+};
 
 struct OverlayRequest {
   std::shared_ptr<const BuiltTree> tree;

@@ -13,6 +13,7 @@ namespace bspview {
 namespace {
 
 constexpr int frames_after_event = 3;        // Dear ImGui's answer to an event takes two
+constexpr int frames_of_tooltip = 2;         // it measures itself in the first, unseen
 constexpr double shortest_frame = 1.0 / 60;  // seconds; not every display waits for its refresh
 constexpr double minimised_nap = 0.1;        // seconds
 
@@ -40,7 +41,8 @@ class Loop {
       if (news_.exchange(false)) frames_due_ = std::max(frames_due_, 1);
       take_drops();
       const std::optional<double> due = session_.app().next_frame_in();
-      if (!session_.input().empty() || (due && *due <= 0.0)) frames_due_ = std::max(frames_due_, 1);
+      if (!session_.input().empty()) frames_due_ = std::max(frames_due_, 1);
+      if (due && *due <= 0.0) frames_due_ = std::max(frames_due_, frames_of_tooltip);
       if (frames_due_ == 0 || since_frame_.seconds() < shortest_frame) continue;
       if (const Result<void> drawn = draw(); !drawn) return drawn;
     }
@@ -50,7 +52,8 @@ class Loop {
  private:
   std::optional<double> nap() const {
     if (window_.size().empty()) return minimised_nap;
-    if (frames_due_ > 0 || news_) return std::max(0.0, shortest_frame - since_frame_.seconds());
+    const bool wanted = frames_due_ > 0 || news_ || !session_.input().empty();
+    if (wanted) return std::max(0.0, shortest_frame - since_frame_.seconds());
     return session_.app().next_frame_in();
   }
 

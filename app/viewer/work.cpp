@@ -42,8 +42,8 @@ Result<void> follow_rays(const PathRequest& request, std::stop_token,
   RenderParams params = request.params;
   params.width = pick.width;
   params.height = pick.height;
-  publish(std::make_shared<const PixelRays>(
-      trace_pixel(request.tree->world(), pick.camera, params, pick.pixel.centre())));
+  publish(std::make_shared<const PixelRays>(PixelRays{
+      request, trace_pixel(request.tree->world(), pick.camera, params, pick.pixel.centre())}));
   return {};
 }
 

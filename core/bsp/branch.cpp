@@ -20,7 +20,6 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, const Branch
                [&](std::size_t i) { whole.nodes.push_back(moved(part.nodes[i + 1])); });
   job.for_each(part.references.size(), light_steps,
                [&](std::size_t i) { whole.references.push_back(part.references[i]); });
-  whole.memory_limit_reached |= part.memory_limit_reached;
   whole.metered += part.metered - sizeof(Node);
 }
 

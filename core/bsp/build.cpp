@@ -81,19 +81,37 @@ BuildJob make_job(const BuildInput& input, const BuildParams& params, std::stop_
   return job;
 }
 
-/// In one round when the memory limit allows it, else in two.
-void grow_tree(Builder builder, BuildJob& job, Branch& branch) {
-  const Rule& rule = rules[static_cast<std::size_t>(builder)];
+struct GrownTree {
+  std::vector<Node> nodes;
+  std::vector<std::uint32_t> references;
+  bool memory_limit_reached = false;
+};
+
+/// The tree down to `depth`; nullopt when it passes the memory limit. A lone root never does.
+std::optional<GrownTree> grow_to(int depth, const Rule& rule, BuildJob job) {
   MemoryMeter meter(job.memory_limit);
-  job.meter = &meter;
+  if (depth > 0) job.meter = &meter;
+  job.max_depth = depth;
+  Branch branch;
   try {
-    return rule.grow(job, placeable_objects(job), branch);
+    rule.grow(job, placeable_objects(job), branch);
   } catch (const MemoryLimitPassed&) {
-    job.meter = nullptr;
-    branch.nodes = {};
-    branch.references = {};
+    return {};
   }
-  rule.grow(job, placeable_objects(job), branch);
+  return GrownTree{std::move(branch.nodes), std::move(branch.references)};
+}
+
+/// The whole tree, or else the deepest one that the memory limit allows.
+GrownTree grow_tree(const Rule& rule, const BuildJob& job) {
+  if (auto whole = grow_to(job.max_depth, rule, job)) return *std::move(whole);
+  int fitting = 0, too_deep = job.max_depth;
+  while (too_deep - fitting > 1) {
+    const int depth = fitting + (too_deep - fitting) / 2;
+    (grow_to(depth, rule, job) ? fitting : too_deep) = depth;
+  }
+  GrownTree cut = *grow_to(fitting, rule, job);
+  cut.memory_limit_reached = true;
+  return cut;
 }
 
 }  // namespace
@@ -125,17 +143,18 @@ Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std:
         fmt::format("a tree holds at most {} objects, not {}", most_objects, input.boxes.size())};
   }
   try {
-    BuildJob job = make_job(input, params, std::move(stop));
-    Branch branch;
-    with_threads(params.threads, [&] { grow_tree(params.builder, job, branch); });
+    const BuildJob job = make_job(input, params, std::move(stop));
+    const Rule& rule = rules[static_cast<std::size_t>(params.builder)];
+    GrownTree grown;
+    with_threads(params.threads, [&] { grown = grow_tree(rule, job); });
     return Tree{.box = job.box,
-                .nodes = std::move(branch.nodes),
-                .references = std::move(branch.references),
+                .nodes = std::move(grown.nodes),
+                .references = std::move(grown.references),
                 .object_count = input.boxes.size(),
                 .params = params,
                 .max_depth = job.max_depth,
                 .naive = params.builder == Builder::naive,
-                .memory_limit_reached = branch.memory_limit_reached,
+                .memory_limit_reached = grown.memory_limit_reached,
                 .build_seconds = timer.seconds()};
   } catch (const BuildStopped&) {
     return Error{"stopped"};

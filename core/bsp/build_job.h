@@ -29,7 +29,7 @@ struct BuildJob {
   bool clip = false;
   double min_width = 0.0;  ///< of a cell that a split makes; not 0
   std::size_t memory_limit = 0;
-  MemoryMeter* meter = nullptr;  ///< in the first round; null in the second
+  MemoryMeter* meter = nullptr;  ///< null: memory is not limited
   std::stop_token stop = {};
 
   void poll() const {

@@ -22,22 +22,18 @@ class Recursion {
 
   void grow_root(Objects& objects, Branch& branch) const {
     branch.nodes.push_back(Node::make_leaf(0, 0));
-    grow(objects, {{job_.box, 0}, job_.memory_limit}, {branch, 0});
+    grow(objects, {job_.box, 0}, {branch, 0});
     meter(job_, branch);
   }
 
  private:
-  struct Task {
-    Place place;
-    std::size_t memory = 0;  // bytes that the subtree may take, in the second round
-  };
   struct Slot {
     Branch& branch;
     std::uint32_t node;
   };
   struct Child {
     Objects& objects;
-    Task task;
+    Place place;
   };
 
   // A child with fewer objects is not worth a task of its own.
@@ -46,33 +42,28 @@ class Recursion {
   // Bytes after which a branch tells the meter.
   static constexpr std::size_t meter_step = std::size_t{1} << 16;
 
-  void grow(Objects& objects, const Task& task, Slot slot) const {
+  void grow(Objects& objects, const Place& place, Slot slot) const {
     job_.poll();
-    const std::optional<Split> split = wanted_split(objects, task, slot.branch);
+    const std::optional<Split> split = wanted_split(objects, place);
     if (!split) return make_leaf(objects, slot);
 
-    const Cells cells = split_cell(task.place.cell, split->axis, split->position);
+    const Cells cells = split_cell(place.cell, split->axis, split->position);
     Objects right = objects.split(*split, cells, slot.branch.scratch);
-    const ChildMemory memory =
-        job_.meter ? ChildMemory{} : share_memory(task.memory, objects.count(), right.count());
-    const int depth = task.place.depth + 1;
-    const Child left_child{objects, {{cells.left, depth}, memory.left}};
-    const Child right_child{right, {{cells.right, depth}, memory.right}};
+    const int depth = place.depth + 1;
+    const Child left_child{objects, {cells.left, depth}};
+    const Child right_child{right, {cells.right, depth}};
     grow_children(left_child, right_child, add_children(*split, slot));
   }
 
   /// The split that the rule asks for and the limits allow.
-  std::optional<Split> wanted_split(const Objects& objects, const Task& task,
-                                    Branch& branch) const {
-    if (objects.count() <= job_.leaf_size || task.place.depth >= job_.max_depth) return {};
-    const std::optional<Split> split = objects.find_split(task.place);
+  std::optional<Split> wanted_split(const Objects& objects, const Place& place) const {
+    if (objects.count() <= job_.leaf_size || place.depth >= job_.max_depth) return {};
+    const std::optional<Split> split = objects.find_split(place);
     if (!split) return {};
     // To go on after a failed split, in the hope of better ones below, measures worse: it more than
     // doubles the tree, and even where what did not pay is taken back it saves 1 % of the cost.
     if (split->cost > job_.costs.leaf(objects.count())) return {};
-    if (job_.meter || has_room(task.memory, split->left, split->right)) return split;
-    branch.memory_limit_reached = true;
-    return {};
+    return split;
   }
 
   void make_leaf(const Objects& objects, Slot slot) const {
@@ -96,18 +87,18 @@ class Recursion {
   void grow_children(const Child& left, const Child& right, Slot left_slot) const {
     const Slot right_slot{left_slot.branch, left_slot.node + 1};
     if (std::min(left.objects.count(), right.objects.count()) < parallel_count) {
-      grow(left.objects, left.task, left_slot);
-      grow(right.objects, right.task, right_slot);
+      grow(left.objects, left.place, left_slot);
+      grow(right.objects, right.place, right_slot);
       return;
     }
     Branch beside;
     beside.nodes.push_back(Node::make_leaf(0, 0));
     beside.metered = sizeof(Node);  // it takes the place of a node that is there already
     const auto grow_right = [&] {
-      grow(right.objects, right.task, {beside, 0});
+      grow(right.objects, right.place, {beside, 0});
       meter(job_, beside);
     };
-    parallel_invoke([&] { grow(left.objects, left.task, left_slot); }, grow_right);
+    parallel_invoke([&] { grow(left.objects, left.place, left_slot); }, grow_right);
     splice(job_, right_slot.branch, right_slot.node, beside);
   }
 

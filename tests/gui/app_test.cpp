@@ -81,7 +81,7 @@ TEST(App, AClickPicksThePixelUnderThePointerAndFollowsItsRays) {
   ASSERT_TRUE(rig.state().pick);
   EXPECT_EQ(rig.state().pick->pixel.column, static_cast<int>(middle.x - rig.app().view().x));
   ASSERT_TRUE(rig.results().rays);
-  EXPECT_FALSE(rig.results().rays->front().log.steps.empty());
+  EXPECT_FALSE(rig.results().rays->rays.front().log.steps.empty());
   ASSERT_TRUE(rig.results().overlay);
   EXPECT_GT(rig.results().overlay->lines, 0u);
   rig.key(key::right);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ void heading(const Ui& ui, const State& state) {
   dim_text(ui, fmt::format("of pixel {}, {}", state.pick->pixel.column, state.pick->pixel.row));
 }
 
-void ray_list(const Ui& ui, const PixelRays& rays, RaySelection& selection) {
+void ray_list(const Ui& ui, std::span<const PathRay> rays, RaySelection& selection) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const int fitting = static_cast<int>(list_share * ImGui::GetContentRegionAvail().y / line);
   const int lines = std::min(static_cast<int>(rays.size()), std::max(fitting, least_listed_rays));
@@ -91,15 +92,15 @@ void step_table(const Ui& ui, const PathRay& ray, State& state) {
 
 void ray_panel(const Ui& ui, const Results& results, State& state) {
   heading(ui, state);
-  if (!results.rays || results.rays->empty()) {
+  if (!results.rays || results.rays->rays.empty()) {
     wrapped_text(ui, "Click a pixel of the picture to see its rays step through the tree.",
                  ui.palette.dim_text);
     return;
   }
-  const int last = static_cast<int>(results.rays->size()) - 1;
+  const int last = static_cast<int>(results.rays->rays.size()) - 1;
   state.ray.ray = std::clamp(state.ray.ray, 0, last);
-  ray_list(ui, *results.rays, state.ray);
-  const PathRay& ray = (*results.rays)[static_cast<std::size_t>(state.ray.ray)];
+  ray_list(ui, results.rays->rays, state.ray);
+  const PathRay& ray = results.rays->rays[static_cast<std::size_t>(state.ray.ray)];
   ImGui::Separator();
   dim_text(ui, ray_summary(ray));
   step_table(ui, ray, state);

@@ -103,6 +103,47 @@ TEST(Window, NoKeyPressIsLost) {
   })) << play.state().dump();
 }
 
+TEST(Window, WhatIsTypedFastIsSeenWithoutAnotherEvent) {
+  StagePlay play({"spd:tetra:1", "--size", "960x600"});
+  ASSERT_TRUE(play.wait_until_idle()) << play.output();
+  focus(play);
+  play.user({"key", "ctrl+o"});
+  play.user({"type", "--delay", "0", "/nowhere/a_scene_with_a_long_name.nff"});
+  play.user({"key", "Return"});
+  EXPECT_TRUE(play.wait_for([](const json& state) {
+    return state["scene"]["error"].is_string() &&
+           state["scene"]["error"].get<std::string>().find("/nowhere/a_scene_with_a_long_name") !=
+               std::string::npos;
+  })) << play.state()["scene"].dump();
+}
+
+TEST(Window, ATooltipAppearsWhileThePointerRests) {
+  StagePlay play({"spd:tetra:1", "--size", "960x600"});
+  ASSERT_TRUE(play.wait_until_idle()) << play.output();
+  focus(play);
+  play.user_moves(play.point_of("view", 0.9f));
+  ASSERT_TRUE(play.wait_until_idle());
+  const std::vector<std::uint32_t> without = play.client().screen();
+  play.user_moves(play.point_of("measure.N_RPRT"));
+  EXPECT_TRUE(play.wait_for([&](const json&) {
+    return different_pixels(without, play.client().screen()) > 5000;
+  }));
+}
+
+TEST(Window, ATreeMayGrowAgainWhileAPixelIsPicked) {
+  StagePlay play({"spd:balls:2", "--size", "960x600"});
+  ASSERT_TRUE(play.wait_until_idle()) << play.output();
+  focus(play);
+  play.user_moves(play.point_of("view"));
+  play.user({"click", "1"});
+  ASSERT_TRUE(play.wait_for([](const json& state) { return !state["pick"].is_null(); }));
+  for (const char* name : {"braceright", "braceleft", "bracketleft", "bracketright"}) {
+    for (int i = 0; i < 3; ++i) play.user({"key", name});
+    ASSERT_TRUE(play.wait_until_idle()) << name << ": " << play.output();
+  }
+  EXPECT_GT(play.state()["pick"]["steps"], 0);
+}
+
 TEST(Window, OpensThroughEglWhereTheServerHasNoGlxAndTheHomeCannotBeWritten) {
   StagePlay play({"spd:tetra:1", "--size", "960x600"}, {"-extension", "GLX"});
   std::filesystem::permissions(play.folder().path(), std::filesystem::perms::owner_all);
