@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "app/viewer/key.h"
 
@@ -134,7 +135,7 @@ bool change_build(Action action, State& state, std::size_t objects) {
       change_depth(build, -1, objects);
       return true;
     case Action::larger_leaf:
-      ++build.leaf_size;
+      build.leaf_size = std::min(build.leaf_size, std::numeric_limits<int>::max() - 1) + 1;
       return true;
     case Action::smaller_leaf:
       build.leaf_size = std::max(1, build.leaf_size - 1);

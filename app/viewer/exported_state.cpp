@@ -86,6 +86,11 @@ json overlay_json(const App& app) {
   return node;
 }
 
+/// Names of scenes and files may hold any bytes.
+std::string text_of(const json& node) {
+  return node.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
 std::string export_state(const App& app) {
@@ -106,13 +111,13 @@ std::string export_state(const App& app) {
             {"before", nullptr}};
   if (results.now) node["delta"] = delta_json(results.now->delta);
   if (results.before) node["before"] = delta_json(results.before->delta);
-  return node.dump(1) + "\n";
+  return text_of(node);
 }
 
 std::string export_widgets(const WidgetMap& widgets) {
   json node = json::object();
   for (const auto& [name, rect] : widgets) node[name] = {rect.x, rect.y, rect.width, rect.height};
-  return node.dump(1) + "\n";
+  return text_of(node);
 }
 
 Result<void> ExportedFile::update(std::string text) {

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
 
 #include "app/options/command_line.h"
 #include "app/viewer/run_offscreen.h"
@@ -29,9 +31,7 @@ Result<void> run(const ViewerOptions& options) {
   return result;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CLI::App app("Shows how rays walk the BSP tree of a scene", "bspview");
   app.set_version_flag("--version", "bspview " BSPVIEW_VERSION);
   ViewerOptions options;
@@ -41,4 +41,15 @@ int main(int argc, char** argv) {
   if (result) return exit_done;
   fmt::print(stderr, "bspview: {}\n", result.error().message);
   return exit_failed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("bspview: there is not enough memory\n", stderr);
+    return bspview::exit_failed;
+  }
 }

@@ -1,5 +1,7 @@
 #include "app/viewer/run_offscreen.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "app/viewer/bell.h"
@@ -132,6 +134,21 @@ Result<void> perform(Stand& stand, const ScriptStep& step) {
   return {};
 }
 
+Result<void> check_pick(const ViewerOptions& options, const App& app) {
+  const PictureSize size = app.state().view.size;
+  if (!options.pick || (options.pick->column < size.width && options.pick->row < size.height))
+    return {};
+  return Error{fmt::format("--pick {},{} is outside the picture of {}x{} pixels",
+                           options.pick->column, options.pick->row, size.width, size.height)};
+}
+
+Result<void> export_files(const ViewerOptions& options, const App& app) {
+  if (!options.ui_map.empty())
+    if (const auto done = write_file(options.ui_map, export_widgets(app.widgets())); !done)
+      return done;
+  return options.state.empty() ? Result<void>() : write_file(options.state, export_state(app));
+}
+
 }  // namespace
 
 Result<void> run_screenshot(const ViewerOptions& options, State state) {
@@ -142,7 +159,9 @@ Result<void> run_screenshot(const ViewerOptions& options, State state) {
   const Results& results = (*stand)->app().results();
   if (results.scene_error) return *results.scene_error;
   if (results.tree_error) return *results.tree_error;
-  return (*stand)->screenshot(options.screenshot);
+  if (const Result<void> inside = check_pick(options, (*stand)->app()); !inside) return inside;
+  if (const Result<void> saved = (*stand)->screenshot(options.screenshot); !saved) return saved;
+  return export_files(options, (*stand)->app());
 }
 
 Result<void> run_script(const ViewerOptions& options, State state) {

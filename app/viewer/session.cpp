@@ -1,10 +1,21 @@
 #include "app/viewer/session.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/render/image_io.h"
 
 namespace bspview {
+namespace {
+
+/// The largest scale at which the panels still find room in the window, or 1 where that is more.
+float largest_fitting_scale(const WindowSize& size) {
+  constexpr float least_width = 880.0f, least_height = 520.0f;  // of a window at scale 1
+  return std::max(1.0f, std::min(static_cast<float>(size.width) / least_width,
+                                 static_cast<float>(size.height) / least_height));
+}
+
+}  // namespace
 
 Result<std::unique_ptr<Session>> Session::create(State state, std::function<void()> wake) {
   auto interface = std::make_unique<Interface>();
@@ -22,7 +33,8 @@ Session::Session(State state, std::function<void()> wake, std::unique_ptr<Interf
 
 void Session::frame(const WindowSize& size, float seconds) {
   const Look& look = app_.state().look;
-  interface_->set_look(look.theme, look.scale * size.content_scale);
+  interface_->set_look(look.theme,
+                       std::min(look.scale * size.content_scale, largest_fitting_scale(size)));
   interface_->begin_frame(size, seconds);
   app_.frame(*interface_, size);
   ImDrawData* panels = interface_->end_frame();

@@ -56,6 +56,13 @@ void add_theme(CLI::App& app, ViewerOptions& options) {
       ->group(group);
 }
 
+CLI::Validator ends_in_png() {
+  const auto check = [](const std::string& name) {
+    return name.ends_with(".png") ? std::string() : "'" + name + "' does not end in .png";
+  };
+  return {check, ""};
+}
+
 }  // namespace
 
 void add_viewer_options(CLI::App& app, ViewerOptions& options) {
@@ -63,6 +70,7 @@ void add_viewer_options(CLI::App& app, ViewerOptions& options) {
   app.add_option("--screenshot", options.screenshot,
                  "Save one converged frame as PNG, off-screen when there is no display, and end")
       ->type_name("FILE.png")
+      ->check(ends_in_png())
       ->group(group);
   add_size(app, options);
   add_pixel(app, "--pick", options.pick);

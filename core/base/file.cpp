@@ -64,8 +64,8 @@ mode_t permissions_for(const fs::path& file) {
 }
 
 Result<void> write_and_rename(const fs::path& file, std::string_view bytes) {
-  std::string temporary =
-      (file.parent_path() / fmt::format(".{}.XXXXXX", file.filename().string())).string();
+  // Not after the file, whose name may already be as long as names can be.
+  std::string temporary = (file.parent_path() / ".bspview.XXXXXX").string();
   Descriptor out(::mkostemp(temporary.data(), O_CLOEXEC));
   if (!out.open()) return system_error(file, "cannot be created");
   const bool done = ::fchmod(out.number(), permissions_for(file)) == 0 && write_all(out, bytes) &&

@@ -1,5 +1,7 @@
 #include "core/eval/delta.h"
 
+#include <algorithm>
+
 namespace bspview {
 namespace {
 
@@ -22,7 +24,8 @@ Delta compute_delta(const TreeStats& tree, std::size_t objects) {
   delta.n_adl = ratio(tree.references, objects);
   delta.n_aoial = ratio(tree.references, tree.leaves);
   delta.n_aoifl = ratio(tree.references, tree.leaves - tree.empty_leaves);
-  delta.r_fvwv = ratio(tree.full_volume, tree.volume);
+  // A sum of rounded parts may pass the whole.
+  delta.r_fvwv = ratio(std::min(tree.full_volume, tree.volume), tree.volume);
   return delta;
 }
 

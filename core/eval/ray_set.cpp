@@ -68,6 +68,9 @@ Line parse_line(std::string_view text) {
   }
   if (line.count != 0 && line.count != 6 && line.count != 8) {
     line.problem = fmt::format("a ray has 6 or 8 numbers, not {}", line.count);
+  } else if (line.numbers[6] < 0.0f) {
+    line.problem =
+        fmt::format("tmin is {}: rays do not start behind their origin", line.numbers[6]);
   }
   return line;
 }

@@ -41,7 +41,7 @@ Json scene_json(const Report& report) {
   Json json{{"name", report.scene_name},    {"objects", count.objects},
             {"triangles", count.triangles}, {"polygons", count.polygons},
             {"patches", count.patches},     {"spheres", count.spheres},
-            {"cones", count.cones}};
+            {"cones", count.cones},         {"degenerate", count.degenerate}};
   json["bounds_min"] = report.bounds.empty() ? Json(nullptr) : shortest(report.bounds.lo);
   json["bounds_max"] = report.bounds.empty() ? Json(nullptr) : shortest(report.bounds.hi);
   return json;

@@ -28,6 +28,13 @@ std::string kinds(const ObjectCounts& count) {
   return text;
 }
 
+std::string degenerate_text(const ObjectCounts& count) {
+  if (count.degenerate == 0) return "";
+  return fmt::format(
+      "        {} of them can never be hit: no area, length or radius, or a number beyond {:g}\n",
+      count.degenerate, max_coordinate);
+}
+
 std::string bytes(std::size_t count) {
   if (count < 10240) return fmt::format("{} bytes", count);
   const double kib = static_cast<double>(count) / 1024.0;
@@ -115,6 +122,7 @@ std::string to_text(const Report& report) {
   std::string text =
       fmt::format("scene   {}, {} object{}{}\n", report.scene_name, report.objects.objects,
                   report.objects.objects == 1 ? "" : "s", kinds(report.objects));
+  text += degenerate_text(report.objects);
   if (report.tree) text += tree_text(*report.tree);
   if (report.delta) text += delta_text(*report.delta);
   if (report.lambda) text += lambda_text(*report.lambda);

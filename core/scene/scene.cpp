@@ -126,6 +126,8 @@ ObjectCounts count_objects(const Scene& scene) {
       ++counts.polygons;
     }
   }
+  for (std::uint32_t id = 0; id < scene.objects.size(); ++id)
+    counts.degenerate += is_degenerate(scene, id) ? 1 : 0;
   return counts;
 }
 

@@ -71,6 +71,7 @@ void add_cone(Scene& scene, std::uint32_t material, const Cone& cone);
 /// patch.
 struct ObjectCounts {
   std::size_t objects = 0, triangles = 0, polygons = 0, patches = 0, spheres = 0, cones = 0;
+  std::size_t degenerate = 0;  ///< of the objects: never hit, see is_degenerate
   bool operator==(const ObjectCounts&) const = default;
 };
 ObjectCounts count_objects(const Scene& scene);

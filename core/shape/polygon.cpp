@@ -187,6 +187,9 @@ Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& whole, const Aabb&
   return intersection(rounded_box(part->points(), margin), overlap);
 }
 
+/// 1 + the cosine of the angle in which an edge is seen: below this, from the edge itself.
+constexpr double on_an_edge = 1e-12;
+
 void mean_value_coordinates(std::span<const Vec3> vertices, Vec3 point, std::span<float> weights) {
   const std::size_t n = vertices.size();
   const Vec3d normal = glm::normalize(polygon_plane(vertices).normal);
@@ -204,7 +207,15 @@ void mean_value_coordinates(std::span<const Vec3> vertices, Vec3 point, std::spa
       for (std::size_t k = 0; k < n; ++k) weights[k] = k == i ? 1.0f : 0.0f;
       return;
     }
-    exact[i] = (half_tangent(arm(i + n - 1), here) + half_tangent(here, arm(i + 1))) / length;
+    const Vec3d next = arm(i + 1);
+    const double lengths = length * glm::length(next);
+    if (lengths > 0.0 && lengths + glm::dot(here, next) <= on_an_edge * lengths) {
+      std::fill(weights.begin(), weights.end(), 0.0f);
+      weights[i] = static_cast<float>(glm::length(next) / (length + glm::length(next)));
+      weights[(i + 1) % n] = 1.0f - weights[i];
+      return;
+    }
+    exact[i] = (half_tangent(arm(i + n - 1), here) + half_tangent(here, next)) / length;
     sum += exact[i];
   }
   for (std::size_t i = 0; i < n; ++i) weights[i] = static_cast<float>(exact[i] / sum);

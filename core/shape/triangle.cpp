@@ -29,12 +29,12 @@ double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides
   const double height = glm::dot(normal, way);
   double t = height / slope;
 
-  // Both are off by less than 2^-49 of the product of the sizes: t keeps 2^-24 where slope is not
-  // below 2^-25 of it, and its sign where height is not below 2^-49.
+  // Both are off by less than 2^-49 of the product of the sizes: where neither is below 2^-25 of
+  // it, t is right to 2^-23.
   const double area_size = size_of(edge1) * size_of(edge2);
   const bool slope_is_open = std::abs(slope) < 0x1p-25 * area_size * size_of(Vec3d(ray.direction));
-  const bool sign_is_open = std::abs(height) < 0x1p-49 * area_size * size_of(way);
-  if (slope_is_open || sign_is_open) {
+  const bool height_is_open = std::abs(height) < 0x1p-25 * area_size * size_of(way);
+  if (slope_is_open || height_is_open) {
     slope = exact_slope_sign(ray.direction, vertices);
     if (slope == 0.0) return no_hit;
     t = exact_plane_distance(ray.origin, ray.direction, vertices);

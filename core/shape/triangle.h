@@ -27,7 +27,7 @@ inline double hit_plane(const RayQuery& ray, Vec3d point, Vec3d normal, Sides si
   return ray.accepts(t) ? t : no_hit;
 }
 
-/// Distance of a triangle's plane, right to a few ulp of float at worst, its sign always; no_hit
+/// Distance of a triangle's plane, right to an ulp of float at worst, its sign always; no_hit
 /// outside the ray's interval or from a hidden side.
 double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides);
 

@@ -15,7 +15,6 @@ constexpr std::size_t most_outlines = 1000;
 constexpr float cell_mark = 3.0f, hit_mark = 7.0f;  // half sizes, pixels
 const std::uint32_t highlight_color = 0xffffffffu;
 const std::uint32_t object_color = pack_color({0.85f, 0.85f, 0.85f}, 0.7f);
-const std::uint32_t hit_color = pack_color({1.0f, 0.25f, 0.2f});
 
 class RayPathLines {
  public:
@@ -62,8 +61,8 @@ class RayPathLines {
     }
     const float last = std::max(1.0f, static_cast<float>(leaves.size()) - 1.0f);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-      const Vec3 color = sample(ColorMap::viridis, 0.25f + 0.75f * static_cast<float>(i) / last);
-      add_box(lines_, world_.cells.cell(leaves[i]), {.color = pack_color(color), .width = 1.25f});
+      const std::uint32_t color = cell_color(static_cast<float>(i) / last);
+      add_box(lines_, world_.cells.cell(leaves[i]), {.color = color, .width = 1.25f});
     }
   }
 
@@ -121,7 +120,7 @@ class RayPathLines {
       Vec3 from(0.0f), to(0.0f);
       from[axis] = i & 1 ? size : -size;
       to[(axis + 1) % 3] = i & 2 ? size : -size;
-      add_line({.color = hit_color, .width = 2.0f}, point + from, point + to);
+      add_line({.color = hit_color(), .width = 2.0f}, point + from, point + to);
     }
   }
 
@@ -143,6 +142,14 @@ std::uint32_t ray_color(RayKind kind) {
       break;
   }
   return pack_color({0.65f, 0.65f, 0.65f});
+}
+
+std::uint32_t cell_color(float order) {
+  return pack_color(sample(ColorMap::magma, 0.4f + 0.55f * order));
+}
+
+std::uint32_t hit_color() {
+  return pack_color({1.0f, 0.25f, 0.2f});
 }
 
 LineList ray_path_lines(const RayPathScene& world, std::span<const PathRay> rays,

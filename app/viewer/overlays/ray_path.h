@@ -26,7 +26,13 @@ struct RayPathScene {
 /// RGBA, as in Line, of a kind of ray in the scene, in the table and in lists.
 [[nodiscard]] std::uint32_t ray_color(RayKind kind);
 
-/// Lines of the selected ray: the leaf cells that it visits (viridis from the first to the last),
+/// RGBA of the leaf cells along the selected ray; `order` is 0 for the first and 1 for the last.
+[[nodiscard]] std::uint32_t cell_color(float order);
+
+/// RGBA of the mark at a hit.
+[[nodiscard]] std::uint32_t hit_color();
+
+/// Lines of the selected ray: the leaf cells that it visits (cell_color),
 /// outlines of the objects tested there (each once; at most 1000), a mark where it enters and
 /// leaves each cell, the ray and a diamond at its hit. The cell of the highlighted step is white
 /// and thick, and so are the objects tested in it. The pixel's other rays are thin. Later lines

@@ -102,6 +102,11 @@ void facts(const Ui& ui, const LoadedScene& loaded) {
   ImGui::SameLine();
   dim_text(ui, counted(loaded.scene.lights.size(), "light", "lights"));
   wrapped_text(ui, kinds(loaded.counts), ui.palette.dim_text);
+  if (loaded.counts.degenerate > 0)
+    wrapped_text(ui,
+                 counted(loaded.counts.degenerate, "object", "objects") +
+                     " without area, length or radius, or too far away: never hit",
+                 ui.palette.worse);
   if (!loaded.bounds.empty())
     wrapped_text(ui, point(loaded.bounds.lo) + " to " + point(loaded.bounds.hi),
                  ui.palette.dim_text);

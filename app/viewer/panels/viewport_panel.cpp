@@ -116,11 +116,14 @@ void notice(const Ui& ui, const Rect& rect, const std::string& text) {
   list.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(ui.palette.text), text.c_str(), nullptr, wrap);
 }
 
-void legend(const Ui& ui, const Rect& rect, const Results& results, const BoxView& boxes) {
-  if (!boxes.visible || boxes.color_by == LeafColor::plain || !results.tree) return;
-  legend_panel(ui, rect,
-               make_legend(leaf_color_scale(results.tree->stats, boxes.color_by, boxes.map),
-                           legend_title(boxes.color_by)));
+void legends(const Ui& ui, Rect rect, const Results& results, const State& state) {
+  const BoxView& boxes = state.boxes;
+  if (boxes.visible && boxes.color_by != LeafColor::plain && results.tree)
+    rect =
+        legend_panel(ui, rect,
+                     make_legend(leaf_color_scale(results.tree->stats, boxes.color_by, boxes.map),
+                                 legend_title(boxes.color_by)));
+  if (state.path_visible && results.rays) path_legend(ui, rect, results.rays->rays);
 }
 
 }  // namespace
@@ -135,7 +138,7 @@ void viewport_panel(const Ui& ui, const Rect& rect, const Results& results, Stat
   if (state.view.camera) use_mouse(rect, results, state);
   if (!results.scene && !results.scene_busy)
     notice(ui, rect, "Drop a scene file here, or choose a standard scene on the left.");
-  legend(ui, rect, results, state.boxes);
+  legends(ui, rect, results, state);
   if (!state.notice.empty()) notice(ui, rect, state.notice);
 }
 

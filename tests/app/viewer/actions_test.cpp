@@ -80,6 +80,13 @@ TEST(ChangeState, DepthAndLeafSizeStayWithinTheirBounds) {
   EXPECT_EQ(state.build.leaf_size, 1);
 }
 
+TEST(ChangeState, TheLargestLeafSizeStaysWhereItIs) {
+  State state;
+  state.build.leaf_size = std::numeric_limits<int>::max();
+  EXPECT_TRUE(change_state(Action::larger_leaf, state, 1));
+  EXPECT_EQ(state.build.leaf_size, std::numeric_limits<int>::max());
+}
+
 TEST(ChangeState, TheFirstStepOfDepthStartsFromTheAutomaticOne) {
   State state;
   change_state(Action::deeper, state, 1000);

@@ -49,6 +49,12 @@ TEST_F(File, WritesThroughALinkWhichStays) {
   EXPECT_EQ(*read_file(folder_ / "a"), "new");
 }
 
+TEST_F(File, WritesUnderTheLongestNameThereIs) {
+  const auto file = folder_ / std::string(255, 'a');
+  EXPECT_TRUE(write_file(file, "long").ok());
+  EXPECT_EQ(*read_file(file), "long");
+}
+
 TEST_F(File, WritesADeviceInPlace) {
   EXPECT_TRUE(write_file("/dev/null", "text").ok());
   EXPECT_TRUE(fs::is_character_file("/dev/null"));

@@ -88,5 +88,13 @@ TEST(Delta, SymbolsStandBesideTheirValues) {
   EXPECT_EQ(value_of("N_AT"), delta.n_at);
 }
 
+TEST(Delta, RoundedVolumesOfFullLeavesDoNotPassTheWhole) {
+  TreeStats tree;
+  tree.leaves = 2;
+  tree.volume = 1.0;
+  tree.full_volume = 1.0 + 0x1p-52;
+  EXPECT_EQ(compute_delta(tree, 1).r_fvwv, 1.0);
+}
+
 }  // namespace
 }  // namespace bspview

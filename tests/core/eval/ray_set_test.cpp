@@ -88,5 +88,11 @@ TEST(RaySet, ResultsAreWrittenAsPrintfWritesThem) {
   EXPECT_EQ(format_occlusion(results), "1\n0\n1\n1\n1\n");
 }
 
+TEST(RaySet, ARayThatStartsBehindItsOriginIsRefused) {
+  const auto rays = parse_rays("0 0 0 0 0 1 0 5\n0 0 0 0 0 1 -1 5\n", "rays.txt");
+  ASSERT_FALSE(rays.ok());
+  EXPECT_EQ(rays.error().message, "rays.txt:2: tmin is -1: rays do not start behind their origin");
+}
+
 }  // namespace
 }  // namespace bspview

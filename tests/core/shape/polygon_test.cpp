@@ -113,5 +113,16 @@ TEST(Polygon, MeanValueCoordinatesReproduceThePoint) {
   }
 }
 
+TEST(Polygon, MeanValueCoordinatesOnAnEdgeBelongToItsEnds) {
+  const std::array<Vec3, 4> square{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
+  std::array<float, 4> weights;
+  mean_value_coordinates(square, {0.25f, 0, 0}, weights);
+  EXPECT_EQ(weights, (std::array<float, 4>{0.75f, 0.25f, 0, 0}));
+  mean_value_coordinates(square, {0, 0.25f, 0}, weights);
+  EXPECT_EQ(weights, (std::array<float, 4>{0.75f, 0, 0, 0.25f}));
+  mean_value_coordinates(square, {1, 1, 0}, weights);
+  EXPECT_EQ(weights, (std::array<float, 4>{0, 0, 1, 0}));
+}
+
 }  // namespace
 }  // namespace bspview

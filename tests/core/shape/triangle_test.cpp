@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/math/exact.h"
 #include "tests/support/random.h"
 
 namespace bspview {
@@ -126,6 +127,22 @@ TEST(Triangle, DoubleReferenceAgreesAwayFromEdges) {
     const float border = std::min({any.u, any.v, 1.0f - any.u - any.v});
     if (any.t == no_hit || border < 1e-3f) continue;
     ASSERT_NEAR(one.t, two.t, 1e-6 * std::abs(two.t)) << trial;
+  }
+}
+
+TEST(Triangle, DistancesAreRightNextToThePlane) {
+  Random random(21);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const std::array<Vec3, 3> corners{random.point(1), random.point(1), random.point(1)};
+    const float s = random.unit(), t = random.unit() * (1 - s);
+    // In the plane but for rounding.
+    const Vec3 origin = corners[0] + s * (corners[1] - corners[0]) + t * (corners[2] - corners[0]);
+    Ray ray{.origin = origin, .direction = random.direction()};
+    ray.t_min = -std::numeric_limits<float>::infinity();
+    if (exact_slope_sign(ray.direction, corners.data()) == 0) continue;
+    const double exact = exact_plane_distance(origin, ray.direction, corners.data());
+    const double found = hit_triangle_plane(RayQuery(ray, 4.0f), corners.data(), Sides::both);
+    ASSERT_LE(std::abs(found - exact), 0x1p-23 * std::abs(exact)) << trial;
   }
 }
 

@@ -125,9 +125,8 @@ TEST(Window, ATooltipAppearsWhileThePointerRests) {
   ASSERT_TRUE(play.wait_until_idle());
   const std::vector<std::uint32_t> without = play.client().screen();
   play.user_moves(play.point_of("measure.N_RPRT"));
-  EXPECT_TRUE(play.wait_for([&](const json&) {
-    return different_pixels(without, play.client().screen()) > 5000;
-  }));
+  EXPECT_TRUE(play.wait_for(
+      [&](const json&) { return different_pixels(without, play.client().screen()) > 5000; }));
 }
 
 TEST(Window, ATreeMayGrowAgainWhileAPixelIsPicked) {
@@ -186,6 +185,19 @@ TEST(WithoutDisplay, AScreenshotIsDrawnOffScreen) {
   EXPECT_GT(std::filesystem::file_size(file), 10000u);
 }
 
+TEST(WithoutDisplay, AScreenshotComesWithItsStateAndItsWidgets) {
+  const TemporaryFolder folder;
+  const std::string scene = write(folder, "bad\xff.nff", one_sphere);  // not UTF-8
+  EXPECT_EQ(run_without_display(folder, {scene, "--screenshot", folder.file("a.png"), "--size",
+                                         "640x400", "--state", folder.file("state.json"),
+                                         "--ui-map", folder.file("widgets.json")}),
+            0)
+      << output_of(folder);
+  std::ifstream state(folder.file("state.json")), widgets(folder.file("widgets.json"));
+  EXPECT_EQ(json::parse(state)["scene"]["objects"], 1);
+  EXPECT_TRUE(json::parse(widgets).contains("view"));
+}
+
 TEST(WithoutDisplay, WhatCannotBeDrawnFailsWithOneSentenceAndNoFile) {
   const TemporaryFolder folder;
   const std::string file = folder.file("picture.png");
@@ -193,6 +205,10 @@ TEST(WithoutDisplay, WhatCannotBeDrawnFailsWithOneSentenceAndNoFile) {
   EXPECT_NE(output_of(folder).find("/no/scene.nff"), std::string::npos) << output_of(folder);
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(run_without_display(folder, {"spd:tetra:1", "--screenshot", "/no/folder/x.png"}), 1);
+  EXPECT_EQ(run_without_display(folder, {"spd:tetra:1", "--screenshot", file, "--pick", "99999,5"}),
+            1);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(run_without_display(folder, {"spd:tetra:1", "--screenshot", "picture.jpg"}), 2);
   EXPECT_EQ(run_without_display(folder, {"--pick", "here"}), 2);
   EXPECT_EQ(run_without_display(folder, {"--size", "0x0"}), 2);
 }
