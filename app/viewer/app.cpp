@@ -16,6 +16,7 @@ using namespace std::chrono_literals;
 constexpr auto build_patience = 40ms;
 constexpr auto drawing_patience = 300ms;
 constexpr auto rest_after = 150ms;     // without motion of the camera
+constexpr int frames_to_focus = 2;     // until a text field that was asked to has the keyboard
 constexpr auto tooltip_after = 400ms;  // without motion of the pointer
 constexpr auto overdue_nap = 15ms;     // see Stage::overdue
 
@@ -40,6 +41,7 @@ void App::frame(Interface& interface, const WindowSize& size) {
   const Ui ui{interface.fonts(), interface.palette(), interface.scale(), !tooltips_due_, widgets_};
   const Vec2 window(static_cast<float>(size.width), static_cast<float>(size.height));
   for (const Action action : pressed_actions(ImGui::GetIO())) perform(action);
+  if (state_.focus_source) interface.input().hold(frames_to_focus);
   std::vector<Action> chosen;
   draw_panels(ui, window, results_, state_, chosen);
   for (const Action action : chosen) perform(action);

@@ -14,8 +14,10 @@ struct Changes {
   std::set<int> keys, buttons;
   bool pressed = false;  // a button, or a key that is no modifier
   bool moved = false;
+  bool chord = false;  // Ctrl and a key, which may turn the keyboard over to a text field
 
   bool allow(const InputEvent& event) const {
+    if (chord) return false;
     switch (event.kind) {
       case InputEvent::Kind::key:
         return allow_key(event.code);
@@ -43,12 +45,17 @@ bool known(const InputEvent& event) {
   return true;
 }
 
+bool is_ctrl_down(const ImGuiIO& io) {
+  return io.KeysDown[key::left_control] || io.KeysDown[key::right_control];
+}
+
 void apply(const InputEvent& event, ImGuiIO& io, Changes& changes) {
   switch (event.kind) {
     case InputEvent::Kind::key:
       io.KeysDown[event.code] = event.down;
       changes.keys.insert(event.code);
       changes.pressed |= event.down && !is_modifier(event.code);
+      changes.chord |= event.down && !is_modifier(event.code) && is_ctrl_down(io);
       break;
     case InputEvent::Kind::button:
       io.MouseDown[event.code] = event.down;
@@ -72,12 +79,16 @@ void apply(const InputEvent& event, ImGuiIO& io, Changes& changes) {
 }  // namespace
 
 void InputQueue::feed(ImGuiIO& io) {
+  if (held_frames_ > 0) {
+    --held_frames_;
+    return;
+  }
   Changes changes;
   while (!events_.empty() && changes.allow(events_.front())) {
     if (known(events_.front())) apply(events_.front(), io, changes);
     events_.pop_front();
   }
-  io.KeyCtrl = io.KeysDown[key::left_control] || io.KeysDown[key::right_control];
+  io.KeyCtrl = is_ctrl_down(io);
   io.KeyShift = io.KeysDown[key::left_shift] || io.KeysDown[key::right_shift];
   io.KeyAlt = io.KeysDown[key::left_alt] || io.KeysDown[key::right_alt];
   io.KeySuper = io.KeysDown[key::left_super] || io.KeysDown[key::right_super];

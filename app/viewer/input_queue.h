@@ -36,8 +36,13 @@ class InputQueue {
   /// Call once before every ImGui::NewFrame.
   void feed(ImGuiIO& io);
 
+  /// Keeps everything back for the next `frames` frames, while a text field takes the keyboard:
+  /// Dear ImGui drops what is typed in the meantime.
+  void hold(int frames) { held_frames_ = frames; }
+
  private:
   std::deque<InputEvent> events_;
+  int held_frames_ = 0;
 };
 
 /// Tells Dear ImGui which of our key numbers are its editing keys.

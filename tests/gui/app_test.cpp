@@ -109,6 +109,21 @@ TEST(App, ADragTurnsTheCameraAndPicksNothing) {
   EXPECT_EQ(rig.results().picture->request.camera, home);
 }
 
+TEST(App, WhatIsTypedRightAfterTheChordOfAFieldGoesIntoTheField) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  for (const bool down : {true, false})
+    for (const int code : {key::left_control, int{'O'}}) rig.push(InputEvent::key(code, down));
+  // B, F and P alone would be actions.
+  const std::string name = "/bfp.nff";
+  for (const char character : name) rig.push(InputEvent::text(character));
+  rig.act();
+  EXPECT_EQ(rig.state().source_text, name);
+  EXPECT_FALSE(rig.state().boxes.visible);
+  rig.key(key::enter);
+  EXPECT_EQ(rig.state().source, name);
+}
+
 TEST(App, OverlaysThatAreHiddenAreNotDrawn) {
   AppRig rig(small_scene());
   ASSERT_TRUE(rig.settle());
