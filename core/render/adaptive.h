@@ -21,9 +21,13 @@ inline constexpr int judged_samples = 8;
 /// eight neighbours, is not below the threshold; a pixel that died stays dead.
 ///
 /// The bias: whether a pixel dies depends on its samples, so that pixels whose samples happen to
-/// agree stop early. A detail that all samples of a pixel and of its neighbours have missed stays
-/// unseen. The smaller the threshold, the fewer pixels die; none does at 0, and the picture is then
-/// that of uniform sampling, bit for bit, as it is for any threshold in pixels that never died.
+/// agree stop early, and a detail that the first samples of a pixel and of its neighbours all
+/// missed stays unseen. Against uniform sampling with as many samples as a pixel may have, the
+/// pictures of the standard scenes are off by less than half the threshold in the mean over pixels,
+/// by less than a tenth with signs, by less than the threshold in the root mean square; single
+/// pixels, where a thin detail was missed, can be off by more. The smaller the threshold, the fewer
+/// pixels die. A pixel that never died has the colour of uniform sampling, bit for bit, and so has
+/// every pixel at threshold 0.
 class PixelSamples {
  public:
   /// Threshold 0: every pixel lives for ever.
@@ -31,7 +35,7 @@ class PixelSamples {
 
   void add(std::size_t pixel, Vec3 color);
   Vec3 mean(std::size_t pixel) const { return sums_[pixel] / static_cast<float>(counts_[pixel]); }
-  std::vector<Vec3> means() &&;
+  std::vector<Vec3> means() &&;  ///< of all pixels
   bool lives(std::size_t pixel) const { return alive_[pixel] != 0; }
 
   /// Whether some pixel lives, of the picture or of a tile (see pixel_grid.h).
