@@ -43,8 +43,12 @@ inline bool is_adaptive(const RenderParams& params) {
 }
 
 inline TraceRules trace_rules(const RenderParams& params) {
-  if (!params.spd_rules) return {.traversal = params.traversal};
-  return {params.traversal, SideRule::opaque_one_sided, SideRule::one_sided};
+  TraceRules rules{.traversal = params.traversal, .arithmetic = params.arithmetic};
+  if (params.spd_rules) {
+    rules.sides = SideRule::opaque_one_sided;
+    rules.shadow_sides = SideRule::one_sided;
+  }
+  return rules;
 }
 
 }  // namespace bspview

@@ -9,6 +9,7 @@
 #include "core/base/watch.h"
 #include "core/bsp/ray_log.h"
 #include "core/bsp/traversal.h"
+#include "core/render/arithmetic.h"
 #include "core/render/ray_counts.h"
 #include "core/render/world.h"
 
@@ -22,6 +23,8 @@ struct RenderParams {
   bool spd_rules = false;         ///< corner rays, one-sided objects, every ray shot: cutoff and
                                   ///< adaptive are ignored
   Traversal traversal = Traversal::robust;
+  Arithmetic arithmetic = Arithmetic::exact;
+  OffsetRule offset = OffsetRule::error_bounded;
   int threads = 0;  ///< 0: every core; never changes the picture
   /// Reflected, refracted and shadow rays are not shot where they count for less. See shade.h.
   float cutoff = 0.0f;

@@ -29,6 +29,7 @@ class Shader {
         tracer_(tracer),
         max_level_(params.max_ray_depth),
         every_ray_(params.spd_rules),
+        offset_(params.offset),
         cutoff_(params.spd_rules ? 0.0f : params.cutoff),
         intensity_(0.5f /
                    std::sqrt(std::max<float>(1.0f, static_cast<float>(scene.lights.size())))) {}
@@ -98,9 +99,7 @@ class Shader {
   }
 
   bool in_shadow(const Surface& surface, const Light& light, int level) {
-    const Vec3 origin = leaving_origin(surface, Vec3d(light.position) - surface.point);
-    // Up to just before the light: a light that lies in a surface is not hidden by it.
-    return tracer_.occluded({origin, light.position - origin, 0.0f, 1.0f - 0x1p-20f}, level);
+    return tracer_.occluded(shadow_ray(surface, light, offset_), level);
   }
 
   /// Reflection and refraction; a ray is sent only where its colour counts, or, under the SPD's
@@ -113,7 +112,7 @@ class Shader {
     float reflectance = material.specular;
     if (transparent) {
       if (const auto direction = refracted(surface, view)) {
-        color += color_along(leaving_ray(surface, *direction), RayKind::refracted, path,
+        color += color_along(leaving_ray(surface, *direction, offset_), RayKind::refracted, path,
                              material.transmittance);
       } else {
         reflectance += material.transmittance;  // total internal reflection
@@ -121,13 +120,10 @@ class Shader {
     }
     if (reflectance > 0.0f || every_ray_) {
       const Vec3d direction = reflected(surface, view);
-      color += color_along(leaving_ray(surface, direction), RayKind::reflected, path, reflectance);
+      color += color_along(leaving_ray(surface, direction, offset_), RayKind::reflected, path,
+                           reflectance);
     }
     return color;
-  }
-
-  static Ray leaving_ray(const Surface& surface, Vec3d direction) {
-    return {leaving_origin(surface, direction), Vec3(direction)};
   }
 
   /// About the shading normal, unless that would lead below the surface.
@@ -151,6 +147,7 @@ class Shader {
   Tracer& tracer_;
   int max_level_;
   bool every_ray_;
+  OffsetRule offset_;
   float cutoff_;
   float intensity_;  // of each light and of the ambient light
 };

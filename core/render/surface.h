@@ -20,4 +20,11 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
 /// Waechter & Binder and pbrt: moved by the error bound along the normal, then rounded outwards.
 Vec3 leaving_origin(const Surface& surface, Vec3d direction);
 
+/// The ray from the surface towards `direction`.
+Ray leaving_ray(const Surface& surface, Vec3d direction, OffsetRule rule);
+
+/// The ray from the surface up to just before the light: one that lies in a surface is not hidden
+/// by it.
+Ray shadow_ray(const Surface& surface, const Light& light, OffsetRule rule);
+
 }  // namespace bspview
