@@ -186,6 +186,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
   add_picture_size(command, "--size", options.size)
       ->description("Pixels; default: as the scene's view says");
   add_sampling_options(command, options.render);
+  add_arithmetic_options(command, options.render.arithmetic, options.render.offset);
   command
       .add_option("--max-ray-depth", options.render.max_ray_depth,
                   "Levels of rays; the eye ray is level 1")

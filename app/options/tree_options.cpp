@@ -113,6 +113,13 @@ CLI::Option* add_scene(CLI::App& app, std::string& scene) {
       ->type_name("");
 }
 
+void add_arithmetic_options(CLI::App& app, Arithmetic& arithmetic, OffsetRule& offset) {
+  add_names(app, "--arithmetic", arithmetic_names(), arithmetic)
+      ->description("How the tests of the shapes compute");
+  add_names(app, "--offset", offset_rule_names(), offset)
+      ->description("What keeps a ray off the surface that it leaves");
+}
+
 void add_tree_options(CLI::App& app, TreeOptions& options) {
   add_split_options(app, options.build);
   add_size_options(app, options.build);

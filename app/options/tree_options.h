@@ -6,6 +6,7 @@
 
 #include "core/bsp/traversal.h"
 #include "core/bsp/tree.h"
+#include "core/render/arithmetic.h"
 
 namespace bspview {
 
@@ -19,6 +20,9 @@ struct TreeOptions {
 
 /// The positional SCENE; call ->required() on the result where it has to be there.
 CLI::Option* add_scene(CLI::App& app, std::string& scene);
+
+/// --arithmetic and --offset. The values outlive the parsing.
+void add_arithmetic_options(CLI::App& app, Arithmetic& arithmetic, OffsetRule& offset);
 
 /// Every tree option. `options` outlives the parsing.
 void add_tree_options(CLI::App& app, TreeOptions& options);

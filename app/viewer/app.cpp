@@ -31,6 +31,7 @@ App::App(State state, std::function<void()> wake)
       pictures_(PictureWork{}, wake, drawing_patience),
       paths_(follow_rays, wake, drawing_patience),
       overlays_(OverlayWork{}, wake, drawing_patience),
+      accuracy_(judge_picture, wake),
       measures_(take_times, wake) {}
 
 void App::frame(Interface& interface, const WindowSize& size) {
@@ -88,7 +89,7 @@ void App::open(const std::string& source) {
 
 bool App::busy() const {
   return scenes_.busy() || trees_.busy() || pictures_.busy() || paths_.busy() || overlays_.busy() ||
-         measures_.busy();
+         accuracy_.busy() || measures_.busy();
 }
 
 std::optional<double> App::next_frame_in() const {
@@ -116,6 +117,7 @@ void App::advance() {
     paths_.want(PathRequest{trees_.value(), render_params(1), *state_.pick});
   else
     paths_.want(std::nullopt);
+  want_accuracy();
   want_overlay();
   want_measures();
   show_results();
@@ -142,7 +144,9 @@ void App::want_overlay() {
   std::shared_ptr<const PixelRays> rays = paths_.value();
   if (rays && picture && rays->request.tree != picture->request.tree) rays = nullptr;
   const bool path = state_.path_visible && rays;
-  if (!picture || (!state_.boxes.visible && !path)) return overlays_.want(std::nullopt);
+  const std::shared_ptr<const Accuracy>& accuracy = accuracy_.value();
+  if (!picture || (!state_.boxes.visible && !path && !accuracy))
+    return overlays_.want(std::nullopt);
   const RenderParams& params = picture->request.params;
   OverlayRequest request{.tree = picture->request.tree,
                          .first_hits = picture->first_hits,
@@ -151,6 +155,7 @@ void App::want_overlay() {
                          .height = params.height,
                          .boxes = std::nullopt,
                          .rays = rays,
+                         .accuracy = accuracy,
                          .path_visible = path,
                          .selection = state_.ray,
                          .line_width = ui_scale_,
@@ -162,10 +167,23 @@ void App::want_overlay() {
   overlays_.want(request);
 }
 
+bool App::at_rest() const {
+  return pictures_.value() && !pictures_.busy() && !trees_.busy() && !was_moving_;
+}
+
+void App::want_accuracy() {
+  const std::shared_ptr<const Picture>& picture = pictures_.value();
+  if (at_rest() && state_.check_pixels)
+    accuracy_.want(
+        AccuracyRequest{picture->request.tree, picture->request.camera, render_params(1)});
+  else
+    accuracy_.want(std::nullopt);
+}
+
+/// Two measurements at once would disturb each other.
 void App::want_measures() {
   const std::shared_ptr<const Picture>& picture = pictures_.value();
-  const bool at_rest = picture && !pictures_.busy() && !trees_.busy() && !was_moving_;
-  if (at_rest && state_.measure_times)
+  if (at_rest() && state_.measure_times && !accuracy_.busy())
     measures_.want(
         MeasureRequest{picture->request.tree, picture->request.camera, render_params(1)});
   else
@@ -185,6 +203,8 @@ void App::show_results() {
   results_.picture_busy = pictures_.busy();
   results_.rays = paths_.value();
   results_.overlay = overlays_.value();
+  results_.accuracy = accuracy_.value();
+  results_.accuracy_busy = accuracy_.busy();
   results_.measures_busy = measures_.busy();
   if (results_.tree)
     comparison_.update(evaluate(*results_.tree, results_.picture.get(), measures_.value().get()));
@@ -245,6 +265,8 @@ bool App::moving() const {
 void App::restore(const Setting& setting) {
   state_.build = setting.build;
   state_.picture.traversal = setting.traversal;
+  state_.picture.arithmetic = setting.arithmetic;
+  state_.picture.offset = setting.offset;
 }
 
 RenderParams App::render_params(int samples) const {
@@ -254,6 +276,8 @@ RenderParams App::render_params(int samples) const {
           .max_ray_depth = state_.picture.max_ray_depth,
           .spd_rules = false,
           .traversal = state_.picture.traversal,
+          .arithmetic = state_.picture.arithmetic,
+          .offset = state_.picture.offset,
           .threads = state_.picture.threads};
 }
 

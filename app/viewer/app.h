@@ -53,6 +53,8 @@ class App {
   struct Setting {
     BuildParams build;
     Traversal traversal;
+    Arithmetic arithmetic;
+    OffsetRule offset;
     bool operator==(const Setting&) const = default;
   };
 
@@ -60,6 +62,7 @@ class App {
   void want_tree();
   void want_picture();
   void want_overlay();
+  void want_accuracy();
   void want_measures();
   void show_results();
   void watch_scene();
@@ -67,8 +70,12 @@ class App {
   void watch_camera();
   void watch_edits();
   bool moving() const;
+  bool at_rest() const;
   void watch_pointer();
-  Setting setting() const { return {state_.build, state_.picture.traversal}; }
+  Setting setting() const {
+    const PictureSettings& picture = state_.picture;
+    return {state_.build, picture.traversal, picture.arithmetic, picture.offset};
+  }
   void restore(const Setting& setting);
   RenderParams render_params(int samples) const;
 
@@ -93,6 +100,7 @@ class App {
   Stage<PictureRequest, Picture> pictures_;
   Stage<PathRequest, PixelRays> paths_;
   Stage<OverlayRequest, Overlay> overlays_;
+  Stage<AccuracyRequest, Accuracy> accuracy_;
   Stage<MeasureRequest, Measures> measures_;
 };
 

@@ -86,6 +86,14 @@ json overlay_json(const App& app) {
   return node;
 }
 
+json accuracy_json(const App& app) {
+  if (!app.results().accuracy) return nullptr;
+  const PixelFaults& faults = app.results().accuracy->faults;
+  return {{"checked", faults.checked},   {"complete", faults.complete},
+          {"lost", faults.lost},         {"phantom", faults.phantom},
+          {"self_hit", faults.self_hit}, {"points", app.results().accuracy->points.size()}};
+}
+
 /// Names of scenes and files may hold any bytes.
 std::string text_of(const json& node) {
   return node.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
@@ -103,6 +111,7 @@ std::string export_state(const App& app) {
             {"picture", picture_json(results)},
             {"pick", pick_json(app)},
             {"overlay", overlay_json(app)},
+            {"accuracy", accuracy_json(app)},
             {"help", state.help_visible},
             {"panels", state.panels_visible},
             {"theme", state.look.theme == Theme::light ? "light" : "dark"},

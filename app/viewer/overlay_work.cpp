@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "app/viewer/overlays/fault_marks.h"
 #include "app/viewer/overlays/leaf_borders.h"
 #include "app/viewer/overlays/line_raster.h"
 #include "app/viewer/overlays/rgba.h"
@@ -80,6 +81,7 @@ Result<void> OverlayWork::operator()(const OverlayRequest& request, std::stop_to
   } else {
     overlay->layer = *std::move(drawn);
   }
+  if (request.accuracy) lay_over(overlay->layer, fault_marks(request.accuracy->faults));
   overlay->seconds = timer.seconds();
   if (request.moving)
     min_pixels_ =

@@ -23,7 +23,8 @@ std::vector<std::uint32_t> to_rgba8(std::span<const Vec3> colors) {
 /// Whether the pictures of both can differ in nothing but noise below the traversal's guarantee.
 bool looks_alike(const PictureRequest& a, const PictureRequest& b) {
   return a.tree->request.scene == b.tree->request.scene && a.camera == b.camera &&
-         a.params == b.params && a.params.traversal == Traversal::robust;
+         a.params == b.params && a.params.traversal == Traversal::robust &&
+         a.params.arithmetic == Arithmetic::exact;
 }
 
 /// The frame as an immutable picture; `before` is an earlier one of the same request, or null.

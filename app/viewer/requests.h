@@ -11,6 +11,8 @@
 #include "app/viewer/state.h"
 #include "core/bsp/stats.h"
 #include "core/eval/lambda.h"
+#include "core/eval/pixel_faults.h"
+#include "core/eval/trade_offs.h"
 #include "core/render/render.h"
 #include "core/scene/scene.h"
 
@@ -82,13 +84,27 @@ struct PixelRays {
   std::vector<PathRay> rays;
 };
 
+/// What of the picture is wrong, and what other ways of tracing would make of its rays.
+struct AccuracyRequest {
+  std::shared_ptr<const BuiltTree> tree;
+  Camera camera;
+  RenderParams params;
+  bool operator==(const AccuracyRequest&) const = default;
+};
+struct Accuracy {
+  AccuracyRequest request;
+  PixelFaults faults;
+  std::vector<TradeOffPoint> points;  ///< empty until the pixels are checked
+};
+
 struct OverlayRequest {
   std::shared_ptr<const BuiltTree> tree;
   std::shared_ptr<const FirstHits> first_hits;
   Camera camera;
   int width = 0, height = 0;
   std::optional<BoxView> boxes;
-  std::shared_ptr<const PixelRays> rays;  ///< nullptr: no path
+  std::shared_ptr<const PixelRays> rays;     ///< nullptr: no path
+  std::shared_ptr<const Accuracy> accuracy;  ///< nullptr: no marks
   bool path_visible = false;
   RaySelection selection;
   float line_width = 1.0f;  ///< pixels

@@ -16,9 +16,11 @@ struct Results {
   std::shared_ptr<const Picture> picture;
   std::shared_ptr<const PixelRays> rays;
   std::shared_ptr<const Overlay> overlay;
+  std::shared_ptr<const Accuracy> accuracy;
   std::optional<Evaluation> now, before;
   std::optional<Error> scene_error, tree_error;
-  bool scene_busy = false, tree_busy = false, picture_busy = false, measures_busy = false;
+  bool scene_busy = false, tree_busy = false, picture_busy = false, measures_busy = false,
+       accuracy_busy = false;
 };
 
 }  // namespace bspview

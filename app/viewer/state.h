@@ -12,6 +12,7 @@
 #include "app/viewer/theme.h"
 #include "core/bsp/traversal.h"
 #include "core/bsp/tree.h"
+#include "core/render/arithmetic.h"
 #include "core/scene/camera.h"
 
 namespace bspview {
@@ -50,6 +51,8 @@ struct View {
 /// How the picture is made.
 struct PictureSettings {
   Traversal traversal = Traversal::robust;
+  Arithmetic arithmetic = Arithmetic::exact;
+  OffsetRule offset = OffsetRule::error_bounded;
   int samples = 4;  ///< a pixel, when converged
   int max_ray_depth = 5;
   int threads = 0;
@@ -73,6 +76,8 @@ struct State {
   BuildParams build;
   PictureSettings picture;
   bool measure_times = true;  ///< T_TR and T_TT when nothing moves
+  bool check_pixels =
+      false;  ///< against exact hits, when nothing moves; and run time against error
   View view;
   std::optional<Pick> pick;
   std::optional<Pixel> pick_at_start;  ///< becomes the pick of the first view of a scene

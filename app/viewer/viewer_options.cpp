@@ -89,6 +89,10 @@ void add_viewer_options(CLI::App& app, ViewerOptions& options) {
   app.add_option("--script", options.script, "Replay input from a file, off-screen, and end")
       ->type_name("FILE")
       ->group(group);
+  add_arithmetic_options(app, options.arithmetic, options.offset);
+  add_switch(app, "--check", options.check)
+      ->description("Check the pixels against exact hits")
+      ->group(group);
   add_tree_options(app, options.tree);
 }
 
@@ -98,7 +102,10 @@ void apply_options(const ViewerOptions& options, State& state) {
   state.build = options.tree.build;
   state.picture.traversal = options.tree.traversal;
   state.picture.threads = options.tree.build.threads;
+  state.picture.arithmetic = options.arithmetic;
+  state.picture.offset = options.offset;
   state.pick_at_start = options.pick;
+  if (options.check) state.check_pixels = *options.check;
   if (options.panels) state.panels_visible = *options.panels;
   if (options.boxes) state.boxes.visible = *options.boxes;
   if (options.theme) state.look.theme = *options.theme;

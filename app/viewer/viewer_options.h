@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 
@@ -18,7 +17,9 @@ struct ViewerOptions {
   std::string screenshot;     ///< file; "": open a window
   int width = 0, height = 0;  ///< of the window; 0: as it was left, or the standard size
   std::optional<Pixel> pick;
-  std::optional<bool> panels, boxes;
+  std::optional<bool> panels, boxes, check;
+  Arithmetic arithmetic = Arithmetic::exact;
+  OffsetRule offset = OffsetRule::error_bounded;
   std::optional<Theme> theme;
   std::optional<float> scale;
   std::string ui_map, state, script;  ///< files; "": none

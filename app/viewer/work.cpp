@@ -47,6 +47,22 @@ Result<void> follow_rays(const PathRequest& request, std::stop_token,
   return {};
 }
 
+Result<void> judge_picture(const AccuracyRequest& request, std::stop_token stop,
+                           const Publish<Accuracy>& publish) {
+  const World world = request.tree->world();
+  Accuracy accuracy{request, {}, {}};
+  find_pixel_faults(world, request.camera, request.params, stop, [&](const PixelFaults& faults) {
+    accuracy.faults = faults;
+    publish(std::make_shared<const Accuracy>(accuracy));
+  });
+  if (!accuracy.faults.complete) return {};
+  measure_trade_offs(world, request.camera, request.params, stop, [&](const auto& points) {
+    accuracy.points = points;
+    publish(std::make_shared<const Accuracy>(accuracy));
+  });
+  return {};
+}
+
 Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
                         const Publish<Measures>& publish) {
   LambdaParams repeats;

@@ -19,6 +19,8 @@ Result<void> grow_tree(const TreeRequest& request, std::stop_token stop,
                        const Publish<BuiltTree>& publish);
 Result<void> follow_rays(const PathRequest& request, std::stop_token stop,
                          const Publish<PixelRays>& publish);
+Result<void> judge_picture(const AccuracyRequest& request, std::stop_token stop,
+                           const Publish<Accuracy>& publish);
 Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
                         const Publish<Measures>& publish);
 

@@ -124,6 +124,26 @@ TEST(App, WhatIsTypedRightAfterTheChordOfAFieldGoesIntoTheField) {
   EXPECT_EQ(rig.state().source, name);
 }
 
+TEST(App, PixelsAreCheckedOnceAskedForAndTheSettingCanBeUndone) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  EXPECT_FALSE(rig.results().accuracy);
+  rig.click(rig.point_of("accuracy.check", 0.05f));
+  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.results().accuracy);
+  const PixelFaults& faults = rig.results().accuracy->faults;
+  EXPECT_TRUE(faults.complete);
+  EXPECT_EQ(faults.lost + faults.phantom + faults.self_hit, 0u);
+  EXPECT_EQ(rig.results().accuracy->points.size(), 12u);
+  rig.app().state().picture.arithmetic = Arithmetic::textbook;
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.results().picture->request.params.arithmetic, Arithmetic::textbook);
+  EXPECT_EQ(rig.results().accuracy->request.params.arithmetic, Arithmetic::textbook);
+  rig.app().perform(Action::undo);
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.results().picture->request.params.arithmetic, Arithmetic::exact);
+}
+
 TEST(App, OverlaysThatAreHiddenAreNotDrawn) {
   AppRig rig(small_scene());
   ASSERT_TRUE(rig.settle());

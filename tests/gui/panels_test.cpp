@@ -23,6 +23,8 @@ Results full_results() {
   const Pick pick{{16, 16}, request.camera, 32, 32};
   fail_unless(follow_rays({results.tree, request.params, pick}, {},
                           [&](auto rays) { results.rays = rays; }));
+  fail_unless(judge_picture({results.tree, request.camera, request.params}, {},
+                            [&](auto accuracy) { results.accuracy = accuracy; }));
   results.now = evaluate(*results.tree, results.picture.get(), nullptr);
   results.before = results.now;
   return results;
@@ -34,6 +36,7 @@ State full_state(const Results& results) {
   state.pick = Pick{{16, 16}, results.scene->scene.camera, 32, 32};
   state.boxes.visible = true;
   state.help_visible = true;
+  state.check_pixels = true;
   state.notice = "Something to say.";
   return state;
 }

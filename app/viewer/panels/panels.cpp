@@ -1,5 +1,6 @@
 #include "app/viewer/panels/panels.h"
 
+#include "app/viewer/panels/accuracy_panel.h"
 #include "app/viewer/panels/build_panel.h"
 #include "app/viewer/panels/help_overlay.h"
 #include "app/viewer/panels/measures_panel.h"
@@ -25,6 +26,7 @@ void left_column(const Ui& ui, const Rect& rect, const Results& results, State& 
   scene_panel(ui, results, state);
   build_panel(ui, results, state);
   overlay_panel(ui, results, state);
+  accuracy_panel(ui, results, state);
 }
 
 void right_column(const Ui& ui, const Layout& layout, const Results& results, State& state) {
