@@ -196,6 +196,7 @@ void add_picture_options(CLI::App& command, RenderOptions& options) {
   command
       .add_flag("--spd-rules", options.render.spd_rules,
                 "Rays through pixel corners, one-sided objects, every secondary ray")
+      ->excludes("--spp")
       ->excludes("--adaptive")
       ->excludes("--cutoff");
   command.add_option("--repeat", options.repeats, "Measure T_CB and T_TR at least N times")
@@ -223,9 +224,16 @@ void add_render(CLI::App& app, Run& run) {
   command
       ->add_flag("--reference", options->reference,
                  "Without a tree: every object for every ray, in double precision")
-      ->excludes("--heat");
+      ->excludes("--heat")
+      ->excludes("--builder")
+      ->excludes("--traversal")
+      ->excludes("--arithmetic");
   add_json(*command, options->json);
-  command->callback([options, &run] { run = [options] { return run_render(*options); }; });
+  command->callback([options, &run] {
+    if (options->json == options->output)
+      throw CLI::ValidationError("--json", "'" + options->json + "' is where the picture goes");
+    run = [options] { return run_render(*options); };
+  });
 }
 
 }  // namespace bspview

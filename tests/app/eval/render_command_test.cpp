@@ -149,5 +149,23 @@ TEST_F(Render, RepeatsAreCounted) {
   EXPECT_EQ(outcome.err, "");
 }
 
+TEST_F(Render, OptionsThatWouldHaveNoEffectAreRefused) {
+  for (const char* options :
+       {"--spd-rules --spp 4", "--spd-rules --cutoff 0.1", "--reference --builder median",
+        "--reference --arithmetic float", "--json a.png"}) {
+    EXPECT_EQ(run(std::string("render s.nff -o a.png ") + options).exit_code, 2) << options;
+  }
+  EXPECT_FALSE(exists("a.png"));
+}
+
+TEST_F(Render, TheArithmeticOfTheHitsCanBeChosen) {
+  for (const char* arithmetic : {"float", "woop", "double", "exact"}) {
+    const Json json = json_of(std::string("s.nff -o a.png --arithmetic ") + arithmetic);
+    EXPECT_GT(json["rays"]["primary_hits"], 0) << arithmetic;
+  }
+  EXPECT_EQ(run("render s.nff -o b.png --arithmetic real").exit_code, 2);
+  EXPECT_EQ(run("render s.nff -o b.png --offset tmin").exit_code, 0);
+}
+
 }  // namespace
 }  // namespace bspview::test
