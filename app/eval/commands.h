@@ -10,5 +10,6 @@ void add_render(CLI::App& app, Run& run);
 void add_cast(CLI::App& app, Run& run);
 void add_spd(CLI::App& app, Run& run);
 void add_stress(CLI::App& app, Run& run);
+void add_error(CLI::App& app, Run& run);
 
 }  // namespace bspview

@@ -1,0 +1,176 @@
+#include <filesystem>
+#include <memory>
+
+#include "app/eval/commands.h"
+#include "app/eval/progress.h"
+#include "app/options/values.h"
+#include "core/base/file.h"
+#include "core/eval/error_report.h"
+#include "core/scene/load.h"
+
+namespace bspview {
+namespace {
+
+/// The classic scenes of the Standard Procedural Databases.
+const std::vector<std::string> standard_scenes{"spd:balls", "spd:gears", "spd:lattice",
+                                               "spd:mount", "spd:rings", "spd:teapot",
+                                               "spd:tetra", "spd:tree"};
+
+struct ErrorOptions {
+  TreeOptions tree;
+  std::vector<std::string> scenes;
+  std::size_t rays = ErrorParams{}.rays;
+  int repeats = ErrorParams{}.repeats;
+  std::optional<PictureSize> size;
+  std::optional<bool> images;
+  bool threads_given = false;
+  std::string folder;
+  std::string json;
+  bool quiet = false;
+};
+
+Result<std::vector<Scene>> load_scenes(const std::vector<std::string>& names) {
+  std::vector<Scene> scenes;
+  for (const std::string& name : names.empty() ? standard_scenes : names) {
+    Result<Scene> scene = load_scene(name);
+    if (!scene) return scene.error();
+    scenes.push_back(*std::move(scene));
+  }
+  return scenes;
+}
+
+Result<void> make_folder(const std::string& folder) {
+  if (folder.empty()) return {};
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return Error{folder + ": cannot be made a folder: " + error.message()};
+  return check_writable(std::filesystem::path(folder) / "error.html");
+}
+
+ErrorParams error_params(const ErrorOptions& options) {
+  ErrorParams params;
+  params.build = options.tree.build;
+  params.traversal = options.tree.traversal;
+  params.seed = options.tree.seed;
+  params.rays = options.rays;
+  params.repeats = options.repeats;
+  params.timing_threads = options.threads_given ? options.tree.build.threads : 1;
+  return params;
+}
+
+constexpr PictureSize default_size{128, 128};
+/// Without a wish, these have their pictures measured: the others take long and say the same.
+const std::vector<std::string> standard_pictures{"spd:balls", "spd:teapot"};
+
+ImageErrorParams image_params(const ErrorOptions& options) {
+  const PictureSize size = options.size.value_or(default_size);
+  ImageErrorParams params;
+  params.render.width = size.width;
+  params.render.height = size.height;
+  params.render.traversal = options.tree.traversal;
+  params.render.threads = options.tree.build.threads;
+  params.repeats = options.repeats;
+  params.patience = 1.0;
+  return params;
+}
+
+Result<void> measure_pictures(const ErrorOptions& options, const Watch& watch, ErrorStudy& study) {
+  const std::vector<std::string>& names =
+      options.scenes.empty() ? standard_pictures : options.scenes;
+  for (const std::string& name : names) {
+    TreeOptions tree = options.tree;
+    tree.scene = name;
+    const Result<SceneAndTree> built = load_and_build(tree);
+    if (!built) return built.error();
+    const Scene& scene = built->scene;
+    SceneImageError image{scene.name, image_params(options), {}};
+    Watch part(watch.stop);
+    part.progress = [&](double more) { watch.advance(more / static_cast<double>(names.size())); };
+    auto curves = measure_image_error({scene, built->tree}, scene.camera, image.params, part);
+    if (!curves) return curves.error();
+    image.curves = *std::move(curves);
+    study.images.push_back(std::move(image));
+  }
+  return {};
+}
+
+/// Runs `work` under a bar that is full when its watch has been advanced by 1.
+template <class Work>
+Result<void> with_progress(const std::string& what, bool quiet, const Work& work) {
+  Progress progress(what, 1.0, quiet ? Progress::Mode::quiet : Progress::Mode::shown);
+  Watch watch;
+  watch.progress = [&](double more) { progress.add(more); };
+  return work(watch);
+}
+
+Result<void> save(const ErrorStudy& study, const ErrorOptions& options) {
+  if (!options.folder.empty()) {
+    const std::filesystem::path folder(options.folder);
+    const std::pair<const char*, std::string> files[]{{"error.csv", to_csv(study)},
+                                                      {"error.json", to_json(study)},
+                                                      {"error.html", to_html(study)}};
+    for (const auto& [name, text] : files) {
+      if (const auto written = write_file(folder / name, text); !written) return written;
+    }
+  }
+  if (!options.json.empty()) {
+    if (const auto written = write_output(options.json, to_json(study)); !written) return written;
+  }
+  return options.json == "-" ? Result<void>() : write_output("-", to_text(study));
+}
+
+Result<void> run_error(const ErrorOptions& options) {
+  if (const auto ready = check_output(options.json); !ready) return ready;
+  if (const auto ready = make_folder(options.folder); !ready) return ready;
+  const auto scenes = load_scenes(options.scenes);
+  if (!scenes) return scenes.error();
+  ErrorStudy study;
+  const auto rays = [&](const Watch& watch) -> Result<void> {
+    auto report = measure_errors(*scenes, error_params(options), watch);
+    if (!report) return report.error();
+    study.rays = *std::move(report);
+    return {};
+  };
+  if (const auto done = with_progress("rays", options.quiet, rays); !done) return done;
+  const auto pictures = [&](const Watch& watch) { return measure_pictures(options, watch, study); };
+  if (options.images.value_or(true)) {
+    if (const auto done = with_progress("pictures", options.quiet, pictures); !done) return done;
+  }
+  return save(study, options);
+}
+
+}  // namespace
+
+void add_error(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<ErrorOptions>();
+  CLI::App* command = add_command(app, "error", "Measures run time against error", options->quiet);
+  command
+      ->add_option("SCENE", options->scenes,
+                   "Scene files, or spd:NAME[:SIZE]; default: the eight classic scenes")
+      ->type_name("");
+  add_tree_options(*command, options->tree);
+  CLI::Option* threads = command->get_option("--threads");
+  threads->description("Threads that are timed; default 1. Building and judging use all cores")
+      ->default_str("1");
+  command->add_option("--rays", options->rays, "Rays of every kind a scene, all of them judged")
+      ->check(CLI::Range(1, 10000000).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--repeat", options->repeats, "Time everything N times, interleaved")
+      ->check(CLI::Range(1, 100000).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  add_switch(*command, "--images", options->images)
+      ->description("Measure the error of pictures against time, too; default on");
+  add_picture_size(*command, "--size", options->size)
+      ->description("Pixels of those pictures; default 128x128");
+  command->add_option("-o", options->folder, "Folder for error.csv, error.json and error.html")
+      ->type_name("DIR");
+  add_json(*command, options->json);
+  command->callback([options, threads, &run] {
+    options->threads_given = threads->count() > 0;
+    run = [options] { return run_error(*options); };
+  });
+}
+
+}  // namespace bspview
