@@ -1,7 +1,6 @@
 #include "core/shape/triangle.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/math/exact.h"
 
@@ -20,27 +19,36 @@ bool is_finite(const Vec3* vertices) {
 
 }  // namespace
 
-double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides) {
+ShapeHit hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides) {
   const Vec3d edge1 = Vec3d(vertices[1]) - Vec3d(vertices[0]);
   const Vec3d edge2 = Vec3d(vertices[2]) - Vec3d(vertices[0]);
   const Vec3d way = Vec3d(vertices[0]) - Vec3d(ray.origin);
+  const Vec3d direction(ray.direction);
   const Vec3d normal = glm::cross(edge1, edge2);
-  double slope = glm::dot(normal, Vec3d(ray.direction));
+  const double slope = glm::dot(normal, direction);
   const double height = glm::dot(normal, way);
   double t = height / slope;
+  bool from_behind = slope > 0.0;
 
   // Both are off by less than 2^-49 of the product of the sizes: where neither is below 2^-25 of
   // it, t is right to 2^-23.
   const double area_size = size_of(edge1) * size_of(edge2);
-  const bool slope_is_open = std::abs(slope) < 0x1p-25 * area_size * size_of(Vec3d(ray.direction));
+  const bool slope_is_open = std::abs(slope) < 0x1p-25 * area_size * size_of(direction);
   const bool height_is_open = std::abs(height) < 0x1p-25 * area_size * size_of(way);
   if (slope_is_open || height_is_open) {
-    slope = exact_slope_sign(ray.direction, vertices);
-    if (slope == 0.0) return no_hit;
+    const int sign = exact_slope_sign(ray.direction, vertices);
+    if (sign == 0) return {};
+    from_behind = sign > 0;
     t = exact_plane_distance(ray.origin, ray.direction, vertices);
   }
-  if (sides == Sides::front && slope > 0.0) return no_hit;
-  return ray.accepts(t) ? t : no_hit;
+  if (!ray.accepts(t) || (sides == Sides::front && from_behind)) return {};
+
+  // The weights only place a point inside: they are kept within the triangle.
+  const Vec3d moment = glm::cross(way, direction);
+  const double second = slope == 0.0 ? 1.0 / 3.0 : glm::dot(moment, edge2) / slope;
+  const double third = slope == 0.0 ? 1.0 / 3.0 : -glm::dot(moment, edge1) / slope;
+  const double u = std::clamp(second, 0.0, 1.0);
+  return {t, static_cast<float>(u), static_cast<float>(std::clamp(third, 0.0, 1.0 - u))};
 }
 
 ShapeHit hit_triangle_exactly(const RayQuery& ray, const Vec3* vertices, Sides sides) {
@@ -53,18 +61,7 @@ ShapeHit hit_triangle_exactly(const RayQuery& ray, const Vec3* vertices, Sides s
   if (least < 0 && most > 0) return {};
   if (least == 0 && most == 0) return {};
 
-  const double t = hit_triangle_plane(ray, vertices, sides);
-  if (t == no_hit) return {};
-  // The weights only place a point inside: rounded ones do, kept within the triangle.
-  const Vec2 a = ray.project(vertices[0]), b = ray.project(vertices[1]),
-             c = ray.project(vertices[2]);
-  const std::array<float, 3> areas{edge_area(c, b), edge_area(a, c), edge_area(b, a)};
-  const float area = areas[0] + areas[1] + areas[2];
-  const auto weight = [&](float part) {
-    return area == 0.0f ? 1.0f / 3.0f : std::clamp(part / area, 0.0f, 1.0f);
-  };
-  const float second = weight(areas[1]);
-  return {t, second, std::min(weight(areas[2]), 1.0f - second)};
+  return hit_triangle_plane(ray, vertices, sides);
 }
 
 ShapeHit hit_triangle_double(const RayQuery& ray, const Vec3* vertices, Sides sides) {

@@ -27,9 +27,10 @@ inline double hit_plane(const RayQuery& ray, Vec3d point, Vec3d normal, Sides si
   return ray.accepts(t) ? t : no_hit;
 }
 
-/// Distance of a triangle's plane, right to an ulp of float at worst, its sign always; no_hit
-/// outside the ray's interval or from a hidden side.
-double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides);
+/// Where a ray that is known to pass through a triangle meets it: t right to an ulp of float at
+/// worst, its sign always, the weights from double; no hit outside the ray's interval or from a
+/// hidden side.
+ShapeHit hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides);
 
 /// hit_triangle with every sign decided by exact arithmetic where double leaves it open.
 ShapeHit hit_triangle_exactly(const RayQuery& ray, const Vec3* vertices, Sides sides);
@@ -53,8 +54,7 @@ inline ShapeHit hit_triangle(const RayQuery& ray, const Vec3* vertices, Sides si
   const float least = std::min({u, v, w}), most = std::max({u, v, w});
   if (least < -bound && most > bound) return {};
   if (!(least > bound || most < -bound)) return hit_triangle_exactly(ray, vertices, sides);
-  const float area = u + v + w;
-  return {hit_triangle_plane(ray, vertices, sides), v / area, w / area};
+  return hit_triangle_plane(ray, vertices, sides);
 }
 
 /// The same in double throughout (Moeller & Trumbore 1997): the reference picture's test.

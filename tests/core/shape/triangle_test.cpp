@@ -141,7 +141,7 @@ TEST(Triangle, DistancesAreRightNextToThePlane) {
     ray.t_min = -std::numeric_limits<float>::infinity();
     if (exact_slope_sign(ray.direction, corners.data()) == 0) continue;
     const double exact = exact_plane_distance(origin, ray.direction, corners.data());
-    const double found = hit_triangle_plane(RayQuery(ray, 4.0f), corners.data(), Sides::both);
+    const double found = hit_triangle_plane(RayQuery(ray, 4.0f), corners.data(), Sides::both).t;
     ASSERT_LE(std::abs(found - exact), 0x1p-23 * std::abs(exact)) << trial;
   }
 }
