@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <stop_token>
 #include <thread>
@@ -79,10 +80,17 @@ class Stage {
   void serve(std::stop_token end) {
     make_thread_quiet();
     while (std::optional<Request> request = next(end)) {
-      const Result<void> result = work_(*request, job_stop_.get_token(),
-                                        [this](std::shared_ptr<const Value> v) { publish(v); });
-      finish(result);
+      finish(carry_out(*request));
       wake_();
+    }
+  }
+
+  Result<void> carry_out(const Request& request) {
+    try {
+      return work_(request, job_stop_.get_token(),
+                   [this](std::shared_ptr<const Value> v) { publish(v); });
+    } catch (const std::bad_alloc&) {
+      return Error{"there is not enough memory"};
     }
   }
 

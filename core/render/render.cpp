@@ -1,5 +1,6 @@
 #include "core/render/render.h"
 
+#include <new>
 #include <span>
 
 #include "core/render/adaptive.h"
@@ -72,7 +73,7 @@ void trace_tile(Shader<Tracer>& shader, const Tile& tile, const Round& round) {
 /// Traces every pixel; for each tile, or with adaptive sampling for each tile of a round,
 /// make_tracer() makes the tracer before it and done(tracer, tile index) takes it after.
 template <class MakeTracer, class Done>
-Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const Done& done) {
+Result<Image> trace_pixels(const Job& job, const MakeTracer& make_tracer, const Done& done) {
   const RenderParams& params = job.params;
   const PrimaryRays eye(job.camera, params.width, params.height);
   const std::vector<Vec2> offsets = ray_offsets(params);
@@ -97,6 +98,16 @@ Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const D
   if (job.watch.stopped()) return stopped();
   Image image{width, height, std::move(samples).means()};
   return params.spd_rules ? mean_of_corners(image) : std::move(image);
+}
+
+/// trace_pixels, with an error where memory runs out.
+template <class MakeTracer, class Done>
+Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const Done& done) {
+  try {
+    return trace_pixels(job, make_tracer, done);
+  } catch (const std::bad_alloc&) {
+    return Error{"not enough memory for the picture"};
+  }
 }
 
 int tiles_of(const RenderParams& params) {

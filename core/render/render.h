@@ -43,7 +43,7 @@ struct Image {
 };
 
 /// One complete picture, with nothing counted: the timed path.
-/// Fails, with the error "stopped", only when a stop was requested.
+/// Fails with the error "stopped" when a stop was requested, and when memory runs out.
 Result<Image> render_image(const World& world, const Camera& camera, const RenderParams& params,
                            const Watch& watch = {});
 

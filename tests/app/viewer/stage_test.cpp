@@ -80,6 +80,22 @@ TEST(Stage, TheLatestWishWinsAndTheWorkUnderWayIsStopped) {
   EXPECT_FALSE(stage.error());
 }
 
+TEST(Stage, KeepsTheOldValueWhenMemoryRunsOut) {
+  Bell bell;
+  Numbers stage(
+      [](int n, std::stop_token, const Numbers::Publish& publish) -> Result<void> {
+        if (n < 0) throw std::bad_alloc();
+        publish(std::make_shared<const std::string>(std::to_string(n)));
+        return {};
+      },
+      bell.ring());
+  bell.wait(stage, 3, [&] { return !stage.busy(); });
+  bell.wait(stage, -1, [&] { return !stage.busy(); });
+  EXPECT_EQ(*stage.value(), "3");
+  ASSERT_TRUE(stage.error());
+  EXPECT_EQ(stage.error()->message, "there is not enough memory");
+}
+
 TEST(Stage, KeepsTheOldValueWhenTheWorkFails) {
   Bell bell;
   Numbers stage(
