@@ -44,7 +44,8 @@ Result<Trial> prepare_coplanar_objects(const Setting& setting) {
   return Trial([subject = setting.subject, forests](Dice& dice) {
     const Forest& forest =
         *(*forests)[static_cast<std::size_t>(dice.below(static_cast<int>(forests->size())))];
-    return compare_with_brute_force(subject, forest, coplanar_ray(forest, dice));
+    const Ray ray = coplanar_ray(forest, dice);
+    return compare_with_brute_force(subject, forest, ray, choose_leaf_size(dice));
   });
 }
 

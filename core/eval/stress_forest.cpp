@@ -59,6 +59,26 @@ Complaint compare_with_brute_force(const Subject& subject, const Forest& forest,
   return std::nullopt;
 }
 
+Complaint compare_with_reference(const Subject& subject, const Forest& forest, const Ray& ray) {
+  const Tree& tree = forest.trees.back();
+  RayCost cost;
+  const Hit found = subject.closest({*forest.scene, tree}, ray, cost);
+  const Judgement judged = forest.reference.judge(ray, found.object, found.t);
+  const bool wrong = judged.verdict == Verdict::lost || judged.verdict == Verdict::phantom;
+  if (!wrong && judged.t_error <= 1.0) return std::nullopt;
+  return fmt::format("{}: {}: found {}, which exact arithmetic calls {} ({:.2f} ulp)",
+                     describe(forest, tree), describe(ray), describe(found),
+                     judged.verdict == Verdict::lost      ? "lost"
+                     : judged.verdict == Verdict::phantom ? "a phantom"
+                                                          : "inexact",
+                     judged.t_error);
+}
+
+std::optional<int> choose_leaf_size(Dice& dice) {
+  if (dice.one_in(16)) return std::nullopt;
+  return every_leaf_size[dice.below(3)];
+}
+
 Ray ray_towards(Vec3 target, const Aabb& box, Dice& dice) {
   const Vec3 place = dice.point(dice.one_in(2) ? 0.5f : 1.5f);
   const Vec3 origin = box.centre() + place * box.extent();

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/eval/reference.h"
 #include "core/eval/stress_brute.h"
 #include "core/eval/stress_check.h"
 
@@ -9,10 +10,12 @@ namespace bspview::stress {
 
 /// A scene with its tree by every builder, and the right answers.
 struct Forest {
-  explicit Forest(std::shared_ptr<const Scene> grown) : scene(std::move(grown)), brute(*scene) {}
+  explicit Forest(std::shared_ptr<const Scene> grown)
+      : scene(std::move(grown)), brute(*scene), reference(*scene) {}
 
   std::shared_ptr<const Scene> scene;
-  BruteForce brute;
+  BruteForce brute;     ///< with the tests of all pictures
+  Reference reference;  ///< beyond rounding
   std::vector<Tree> trees;
 };
 using SharedForest = std::shared_ptr<const Forest>;
@@ -33,6 +36,12 @@ std::string describe(const Hit& hit);
 /// force finds: the same object at the same distance.
 Complaint compare_with_brute_force(const Subject& subject, const Forest& forest, const Ray& ray,
                                    std::optional<int> leaf_size = std::nullopt);
+
+/// What the last tree finds must be right by exact arithmetic, its distance within an ulp of float.
+Complaint compare_with_reference(const Subject& subject, const Forest& forest, const Ray& ray);
+
+/// For compare_with_brute_force: one of the leaf sizes, now and then every tree.
+std::optional<int> choose_leaf_size(Dice& dice);
 
 /// A ray that starts in or around `box` and is aimed at `target`.  Some have an interval of their
 /// own, which may reach behind the origin.

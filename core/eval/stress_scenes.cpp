@@ -32,6 +32,17 @@ void add_random_cone(Scene& scene, Vec3 place, float size, Dice& dice) {
   add_cone(scene, 0, {place, sign * base, place + axis, sign * tip});
 }
 
+Scene scene_of_kinds(std::span<const ObjectKind> kinds, int count, Vec3 centre, Dice& dice) {
+  Scene scene;
+  scene.name = "mixed scene";
+  const float size = 0.9f / std::cbrt(static_cast<float>(count));
+  for (int i = 0; i < count; ++i) {
+    const Vec3 place = centre + dice.point(1.0f);
+    add_random(scene, kinds[static_cast<std::size_t>(i) % kinds.size()], place, size, dice);
+  }
+  return scene;
+}
+
 }  // namespace
 
 void add_random(Scene& scene, ObjectKind kind, Vec3 place, float size, Dice& dice) {
@@ -50,14 +61,14 @@ void add_random(Scene& scene, ObjectKind kind, Vec3 place, float size, Dice& dic
 }
 
 Scene make_mixed_scene(int count, Vec3 centre, Dice& dice) {
-  Scene scene;
-  scene.name = "mixed scene";
-  const float size = 0.9f / std::cbrt(static_cast<float>(count));
-  for (int i = 0; i < count; ++i) {
-    const Vec3 place = centre + dice.point(1.0f);
-    add_random(scene, static_cast<ObjectKind>(i % kind_count), place, size, dice);
-  }
-  return scene;
+  constexpr std::array kinds{ObjectKind::triangle, ObjectKind::polygon, ObjectKind::sphere,
+                             ObjectKind::cone};
+  return scene_of_kinds(kinds, count, centre, dice);
+}
+
+Scene make_scene_without_polygons(int count, Vec3 centre, Dice& dice) {
+  constexpr std::array kinds{ObjectKind::triangle, ObjectKind::sphere, ObjectKind::cone};
+  return scene_of_kinds(kinds, count, centre, dice);
 }
 
 Scene make_coplanar_scene(int count, int axis, float position, Dice& dice) {

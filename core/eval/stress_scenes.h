@@ -14,6 +14,9 @@ void add_random(Scene& scene, ObjectKind kind, Vec3 place, float size, Dice& dic
 /// `count` objects of every kind in a cube of side 2 around `centre`.
 Scene make_mixed_scene(int count, Vec3 centre, Dice& dice);
 
+/// The same of triangles, spheres and cones alone.
+Scene make_scene_without_polygons(int count, Vec3 centre, Dice& dice);
+
 /// `count` triangles and squares in the plane where coordinate `axis` is `position`, in a square of
 /// side 2; one object is a square that covers it all.
 Scene make_coplanar_scene(int count, int axis, float position, Dice& dice);

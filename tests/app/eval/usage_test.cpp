@@ -13,7 +13,7 @@ bool is_one_line(const std::string& text) {
 }
 
 TEST_F(Usage, HelpAndVersionAreEverywhere) {
-  for (const char* command : {"", "stats", "render", "cast", "spd"}) {
+  for (const char* command : {"", "stats", "render", "cast", "spd", "stress"}) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.exit_code, 0) << command;
     EXPECT_NE(help.out.find("Usage: "), std::string::npos) << command;
@@ -48,6 +48,10 @@ TEST_F(Usage, WrongUsageEndsWithTwoAndOneSentence) {
       "cast spd:tetra:1 -o a.txt",
       "cast spd:tetra:1 --rays r.txt",
       "cast spd:tetra:1 --rays r.txt -o a.txt --repeat x",
+      "stress --check T99",
+      "stress --rays everything",
+      "stress --trials 0",
+      "stress --trial -1",
       "spd",
       "spd tetra",
       "spd pyramid -o a.nff",
@@ -76,6 +80,9 @@ TEST_F(Usage, FailureEndsWithOneAndOneSentenceAndLeavesNothing) {
       "cast spd:tetra:1 --rays none.txt -o a.txt",
       "cast none.nff --rays /dev/null -o a.txt",
       "cast spd:tetra:1 --rays /dev/null -o none/a.txt",
+      "stress none.nff --check T06 --trials 1",
+      "stress --check T04 --trials 1 --json none/a.json",
+      "stress --check T04 --trials 1 >/dev/full",
       "spd balls 100 -o a.nff",
       "spd tetra 1 -o none/a.nff",
       "spd tetra 1 -o - >/dev/full",
