@@ -10,6 +10,7 @@
 #include "core/bsp/tree.h"
 #include "core/math/float_error.h"
 #include "core/math/ray.h"
+#include "core/math/strict_floats.h"
 
 namespace bspview {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/math/strict_floats.h"
 #include "core/math/vec.h"
 
 namespace bspview {

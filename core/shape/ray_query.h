@@ -6,6 +6,7 @@
 #include "core/math/aabb.h"
 #include "core/math/float_error.h"
 #include "core/math/ray.h"
+#include "core/math/strict_floats.h"
 
 namespace bspview {
 
