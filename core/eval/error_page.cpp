@@ -73,7 +73,7 @@ std::string trade_off_figure(const ErrorReport& report, const ErrorPool& pool, M
   }
   for (const std::size_t i : pareto_line(all.points)) {
     plot.points[i].strong = true;
-    plot.lines.front().points.emplace_back(all.points[i].time, all.points[i].error);
+    plot.lines.front().points.emplace_back(all.points[i].time, all.errors[i].value);
   }
   plot.points[*knee].label += " (knee)";
   return "<figure>\n" + draw_plot(plot) + "<figcaption>" +

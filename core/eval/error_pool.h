@@ -55,7 +55,7 @@ ErrorPool pool_of_all(const ErrorReport& report);
 ErrorPool pool_of_triangles(const ErrorReport& report);
 
 /// A pool set against one metric. Elements of `points` are those of `members`, which index
-/// ErrorPool::configs.
+/// ErrorPool::configs. For the fronts, none found counts as half of one; `errors` hold its bound.
 struct TradeOffs {
   std::vector<std::size_t> members;
   std::vector<TradeOff> points;
