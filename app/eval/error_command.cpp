@@ -5,7 +5,7 @@
 #include "app/eval/progress.h"
 #include "app/options/values.h"
 #include "core/base/file.h"
-#include "core/eval/error_report.h"
+#include "core/eval/error/report.h"
 #include "core/scene/load.h"
 
 namespace bspview {

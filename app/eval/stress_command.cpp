@@ -5,7 +5,7 @@
 
 #include "app/eval/commands.h"
 #include "app/eval/progress.h"
-#include "core/eval/stress.h"
+#include "core/eval/stress/stress.h"
 #include "core/scene/load.h"
 #include "core/scene/spd.h"
 

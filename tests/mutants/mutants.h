@@ -3,7 +3,7 @@
 // Wrong variants of what decides hits: each breaks one rule, and a check of the stress test must
 // notice.
 
-#include "core/eval/stress_subject.h"
+#include "core/eval/stress/subject.h"
 
 namespace bspview::test {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/eval/stress.h"
+#include "core/eval/stress/stress.h"
 
 namespace bspview::test {
 namespace {

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "app/viewer/layout.h"
 #include "app/viewer/panels/numbers.h"
 #include "app/viewer/panels/widgets.h"
+#include "core/eval/error/pareto.h"
 
 namespace bspview {
 namespace {
@@ -60,6 +62,16 @@ class Chart {
     list_.AddText({plot_.x + ui_.px(4), plot_.y + ui_.px(1)}, dim(), y_title);
     const ImVec2 size = ImGui::CalcTextSize(x_title);
     list_.AddText({plot_.right() - size.x, plot_.bottom() + ui_.px(14)}, dim(), x_title);
+  }
+
+  /// Through the ways that none beats in both.
+  void draw_front() const {
+    std::vector<TradeOff> trades;
+    for (const TradeOffPoint& point : points_)
+      trades.push_back({time_of(point), 0.0, error_of(point)});
+    std::vector<ImVec2> line;
+    for (const std::size_t index : pareto_line(trades)) line.push_back(place(points_[index]));
+    list_.AddPolyline(line.data(), static_cast<int>(line.size()), dim(), 0, ui_.px(1.5f));
   }
 
   void draw_point(const TradeOffPoint& point, bool marked) const {
@@ -144,6 +156,7 @@ void trade_off_chart(const Ui& ui, std::span<const TradeOffPoint> points, const 
   ui.note("accuracy.chart");
   const Chart chart(ui, rect, points);
   chart.draw_axes();
+  chart.draw_front();
   for (const TradeOffPoint& point : points)
     chart.draw_point(point,
                      point.arithmetic == mark.arithmetic && point.traversal == mark.traversal);
@@ -153,6 +166,7 @@ void trade_off_chart(const Ui& ui, std::span<const TradeOffPoint> points, const 
               ? text_of(*pointed)
               : "Every arithmetic with every traversal on eye rays of this view. Upwards: wrong "
                 "hits a million. Open circles: none was found, the rate is below (95 %). The "
+                "line joins the ways that none beats in both. The "
                 "ring marks the present setting. Point at a circle.");
 }
 

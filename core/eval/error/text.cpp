@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/eval/error/report.h"
+
+namespace bspview {
+namespace {
+
+std::string heading(std::string_view title) {
+  return fmt::format("\n{}\n", title);
+}
+
+std::string scene_names(const ErrorReport& report, std::span<const std::size_t> scenes) {
+  std::string names;
+  for (const std::size_t i : scenes) {
+    names += fmt::format("{}{}", names.empty() ? "" : " ", report.scenes[i].name);
+  }
+  return names;
+}
+
+constexpr std::array ordinary_columns{Metric::wrong_hits, Metric::acne,   Metric::light_leaks,
+                                      Metric::t_median,   Metric::t_tail, Metric::t_largest};
+constexpr std::array triangle_columns{Metric::edge_leaks, Metric::wrong_hits};
+
+std::string pool_table(const ErrorReport& report, const ErrorPool& pool,
+                       std::span<const Metric> columns) {
+  std::string text = fmt::format("{:<44} {:>8} {:>6}", "", "ns/ray", "+-");
+  for (const Metric metric : columns) text += fmt::format(" {:>11}", text_of(metric).key);
+  text += "\n";
+  for (const PooledConfig& one : pool.configs) {
+    text += fmt::format("{:<44} {:>8.1f} {:>6.1f}", report.configs[one.config].name, one.ns,
+                        one.ns_mad);
+    for (const Metric metric : columns) {
+      text += fmt::format(" {:>11}", format_estimate(estimate(one.counts, metric)));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string fronts(const ErrorReport& report, const ErrorPool& pool,
+                   std::span<const Metric> columns) {
+  std::string text;
+  for (const Metric metric : columns) {
+    const TradeOffs all = trade_offs(pool, metric);
+    const auto knee = pareto_knee(all.points);
+    if (!knee) continue;
+    std::string names;
+    for (const std::size_t i : pareto_line(all.points)) {
+      const PooledConfig& config = pool.configs[all.members[i]];
+      names += fmt::format("{}{}{}", names.empty() ? "" : ", ", report.configs[config.config].name,
+                           i == *knee ? " (knee)" : "");
+    }
+    text += fmt::format("  {:<12} {}\n", text_of(metric).key, names);
+  }
+  return text;
+}
+
+std::string price_table(const ErrorReport& report) {
+  const Price price = price_of_default(report);
+  std::string text = heading(fmt::format("Price: time of the default over that of \"{}\"",
+                                         report.configs[price.fastest].name));
+  const auto row = [&](std::string_view name, const std::array<double, 3>& ratios) {
+    text += fmt::format("  {:<10}", name);
+    for (const double ratio : ratios) {
+      text += ratio > 0.0 ? fmt::format(" {:>10.3f}", ratio) : fmt::format(" {:>10}", "-");
+    }
+    text += "\n";
+  };
+  text += fmt::format("  {:<10}", "");
+  for (const RayGroup group : priced_groups) text += fmt::format(" {:>10}", name_of(group));
+  text += "\n";
+  for (std::size_t i = 0; i < price.ratios.size(); ++i) {
+    row(report.scenes[i].name, price.ratios[i]);
+  }
+  row("median", price.medians);
+  return text;
+}
+
+std::string image_tables(const ErrorStudy& study) {
+  std::string text;
+  for (const SceneImageError& image : study.images) {
+    text += heading(fmt::format("Picture of {}, {} x {} pixels", image.scene,
+                                image.params.render.width, image.params.render.height));
+    text += fmt::format("  {:<16} {:<18} {:>9} {:>10} {:>10} {:>10}\n", "", "", "samples",
+                        "seconds", "RMSE", "relMSE");
+    for (const ImageErrorCurve& curve : image.curves) {
+      for (const ImageErrorPoint& point : curve.points) {
+        text += fmt::format("  {:<16} {:<18} {:>9.2f} {:>10.4f} {:>10.3g} {:>10.3g}\n", curve.name,
+                            point.name, point.samples_per_pixel, point.seconds.median, point.rmse,
+                            point.rel_mse);
+      }
+    }
+  }
+  return text;
+}
+
+std::string introduction(const ErrorReport& report) {
+  std::uint64_t rays = 0;
+  for (const SceneErrors& scene : report.scenes) {
+    for (const std::uint64_t count : scene.rays) rays += count;
+  }
+  std::string factors;
+  for (const Factor factor : report.strongest_factors) {
+    factors += fmt::format("{}{}", factors.empty() ? "" : ", ", name_of(factor));
+  }
+  return fmt::format(
+      "{} configurations, {} scenes, {} recorded rays, all judged; {} interleaved repeats, {}\n"
+      "strongest factors, measured in every combination: {}\n"
+      "per million; \"< x\": none found, so fewer than x with 95 % certainty (3 / N)\n",
+      report.configs.size(), report.scenes.size(), rays, report.params.repeats,
+      report.params.timing_threads == 1
+          ? "one thread, its processor time"
+          : fmt::format("{} threads, wall-clock time", report.params.timing_threads),
+      factors);
+}
+
+}  // namespace
+
+std::string format_estimate(const std::optional<Estimate>& estimate) {
+  if (!estimate) return "-";
+  const double value = estimate->value;
+  const std::string number =
+      value >= 100.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.2g}", value);
+  return estimate->is_bound ? "< " + number : number;
+}
+
+std::string to_text(const ErrorStudy& study) {
+  const ErrorReport& report = study.rays;
+  std::string text = introduction(report);
+  const ErrorPool all = pool_of_all(report);
+  text += heading("Scenes: " + scene_names(report, all.scenes));
+  text += pool_table(report, all, ordinary_columns);
+  text += heading("Pareto fronts, from the fastest on") + fronts(report, all, ordinary_columns);
+  if (const ErrorPool triangles = pool_of_triangles(report); !triangles.configs.empty()) {
+    text += heading("Scenes of triangles only: " + scene_names(report, triangles.scenes));
+    text += pool_table(report, triangles, triangle_columns);
+    text += heading("Pareto fronts there") + fronts(report, triangles, triangle_columns);
+  }
+  text += price_table(report) + image_tables(study);
+  return text + "\n" + verdict(study) + "\n";
+}
+
+std::string verdict(const ErrorStudy& study) {
+  const ErrorReport& report = study.rays;
+  const ErrorPool all = pool_of_all(report);
+  const auto find = [&](std::size_t config) {
+    return *std::ranges::find(all.configs, config, &PooledConfig::config);
+  };
+  const auto wrong = [](const ErrorCounts& counts) {
+    return counts.ordinary().wrong() + counts.aimed().wrong();
+  };
+  const auto& own = find(default_config);
+  const auto& fastest = find(price_of_default(report).fastest);
+  const std::uint64_t rays = own.counts.ordinary().rays + own.counts.aimed().rays;
+  const double slower = own.ns / fastest.ns - 1.0;
+  return fmt::format(
+      "default: {} wrong of {:.3g} rays, {} acne, {} light leaks, {:.1f} % {} than the fastest in "
+      "float ({}), which gets {} rays wrong, {} acne and {} light leaks: {}.",
+      wrong(own.counts), static_cast<double>(rays), own.counts.offset.acne, own.counts.offset.leaks,
+      std::abs(100.0 * slower), slower >= 0.0 ? "slower" : "faster",
+      report.configs[fastest.config].name, wrong(fastest.counts), fastest.counts.offset.acne,
+      fastest.counts.offset.leaks,
+      wrong(own.counts) < wrong(fastest.counts) ? "keep the default"
+                                                : "float is as good on these rays");
+}
+
+}  // namespace bspview

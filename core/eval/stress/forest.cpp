@@ -1,0 +1,92 @@
+#include "core/eval/stress/forest.h"
+
+#include <fmt/format.h>
+
+#include "core/render/scene_tree.h"
+
+namespace bspview::stress {
+namespace {
+
+/// Testing every object of larger scenes takes the time of a thousand walks through a tree.
+constexpr std::size_t largest_naive = 2000;
+
+}  // namespace
+
+Result<SharedForest> grow_forest(std::shared_ptr<const Scene> scene,
+                                 std::span<const int> leaf_sizes) {
+  const auto forest = std::make_shared<Forest>(std::move(scene));
+  const auto count = static_cast<int>(builder_names().size());
+  for (int builder = 0; builder < count; ++builder) {
+    const bool naive = static_cast<Builder>(builder) == Builder::naive;
+    if (naive && forest->scene->objects.size() > largest_naive) continue;
+    for (const int leaf_size : leaf_sizes) {
+      if (naive && leaf_size != leaf_sizes.front()) continue;
+      auto tree = build_scene_tree(
+          *forest->scene, {.builder = static_cast<Builder>(builder), .leaf_size = leaf_size});
+      if (!tree) return tree.error();
+      forest->trees.push_back(*std::move(tree));
+    }
+  }
+  return SharedForest(forest);
+}
+
+std::string describe(const Forest& forest, const Tree& tree) {
+  return fmt::format("{} by {}, leaf size {}", forest.scene->name, name_of(tree.params.builder),
+                     tree.params.leaf_size);
+}
+
+std::string describe(const Ray& ray) {
+  return fmt::format("ray {:a} {:a} {:a}  {:a} {:a} {:a}  {:a} {:a}", ray.origin.x, ray.origin.y,
+                     ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.t_min,
+                     ray.t_max);
+}
+
+std::string describe(const Hit& hit) {
+  return hit ? fmt::format("object {} at {:a}", hit.object, hit.t) : "nothing";
+}
+
+Complaint compare_with_brute_force(const Subject& subject, const Forest& forest, const Ray& ray,
+                                   std::optional<int> leaf_size) {
+  const Hit expected = forest.brute.closest(ray);
+  for (const Tree& tree : forest.trees) {
+    if (leaf_size && (tree.naive || tree.params.leaf_size != *leaf_size)) continue;
+    RayCost cost;
+    const Hit found = subject.closest({*forest.scene, tree}, ray, cost);
+    if (found.object == expected.object && found.t == expected.t) continue;
+    return fmt::format("{}: {}: expected {}, found {}", describe(forest, tree), describe(ray),
+                       describe(expected), describe(found));
+  }
+  return std::nullopt;
+}
+
+Complaint compare_with_reference(const Subject& subject, const Forest& forest, const Ray& ray) {
+  const Tree& tree = forest.trees.back();
+  RayCost cost;
+  const Hit found = subject.closest({*forest.scene, tree}, ray, cost);
+  const Judgement judged = forest.reference.judge(ray, found.object, found.t);
+  const bool wrong = judged.verdict == Verdict::lost || judged.verdict == Verdict::phantom;
+  if (!wrong && judged.t_error <= 1.0) return std::nullopt;
+  return fmt::format("{}: {}: found {}, which exact arithmetic calls {} ({:.2f} ulp)",
+                     describe(forest, tree), describe(ray), describe(found),
+                     judged.verdict == Verdict::lost      ? "lost"
+                     : judged.verdict == Verdict::phantom ? "a phantom"
+                                                          : "inexact",
+                     judged.t_error);
+}
+
+std::optional<int> choose_leaf_size(Dice& dice) {
+  if (dice.one_in(16)) return std::nullopt;
+  return every_leaf_size[dice.below(3)];
+}
+
+Ray ray_towards(Vec3 target, const Aabb& box, Dice& dice) {
+  const Vec3 place = dice.point(dice.one_in(2) ? 0.5f : 1.5f);
+  const Vec3 origin = box.centre() + place * box.extent();
+  const Vec3 direction = target - origin;
+  Ray ray{origin, direction == Vec3(0.0f) ? dice.direction() : direction};
+  if (dice.one_in(8)) ray.t_min = dice.between(-3.0f, 1.0f);
+  if (dice.one_in(8)) ray.t_max = ray.t_min + dice.between(0.0f, 3.0f);
+  return ray;
+}
+
+}  // namespace bspview::stress
