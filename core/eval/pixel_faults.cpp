@@ -63,21 +63,24 @@ class FaultFinder {
   }
 
   bool shades_itself(const Ray& ray, const Hit& hit) const {
-    const Surface surface = surface_at(world_.scene, ray, hit);
+    NoObserver none;
+    const Hit sure_hit = closest_hit(world_, ray, {.sides = rules_.sides}, none);
+    if (sure_hit.object != hit.object) return false;
+    const Surface found = surface_at(world_.scene, ray, hit);
+    const Surface sure = surface_at(world_.scene, ray, sure_hit);
     return std::any_of(
         world_.scene.lights.begin(), world_.scene.lights.end(), [&](const Light& light) {
-          const Vec3d way = Vec3d(light.position) - surface.point;
-          return glm::dot(surface.normal, way) > 0.0 && is_blocked_by(hit.object, surface, light);
+          const Vec3d way = Vec3d(light.position) - found.point;
+          if (!(glm::dot(found.normal, way) > 0.0)) return false;
+          const Ray shadow = shadow_ray(found, light, params_.offset);
+          return trace_closest(world_, shadow, rules_, none).object == hit.object &&
+                 leaves_freely(hit.object, shadow_ray(sure, light, OffsetRule::error_bounded));
         });
   }
 
-  /// Whether the shadow ray hits the object, though the one that surely starts off it does not.
-  bool is_blocked_by(std::uint32_t object, const Surface& surface, const Light& light) const {
-    NoObserver none;
-    const Ray ray = shadow_ray(surface, light, params_.offset);
-    if (trace_closest(world_, ray, rules_, none).object != object) return false;
-    const Ray sure = shadow_ray(surface, light, OffsetRule::error_bounded);
-    return exact_hits(world_.scene, object, sure, Sides::both)[0].meeting == Meeting::miss;
+  /// Whether a ray that surely starts off the object does not meet it.
+  bool leaves_freely(std::uint32_t object, const Ray& ray) const {
+    return exact_hits(world_.scene, object, ray, Sides::both)[0].meeting == Meeting::miss;
   }
 
   void count() {

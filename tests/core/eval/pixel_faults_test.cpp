@@ -48,7 +48,8 @@ TEST(PixelFaults, PicturesHaveNone) {
 TEST(PixelFaults, TheTextbookQuadraticRuinsTheRimOfAFarBall) {
   const PixelFaults faults = faults_of(far_ball(1e4f), small(Arithmetic::textbook));
   EXPECT_GT(faults.lost + faults.phantom, 50u);
-  EXPECT_EQ(faults.pixels[32 * 64 + 32], PixelFault::none);
+  const PixelFault middle = faults.pixels[32 * 64 + 32];
+  EXPECT_TRUE(middle == PixelFault::none || middle == PixelFault::self_hit);
 }
 
 TEST(PixelFaults, AFixedOffsetLetsAFarSurfaceHitItself) {
@@ -57,6 +58,15 @@ TEST(PixelFaults, AFixedOffsetLetsAFarSurfaceHitItself) {
   lit.lights = {{.position = centre + Vec3(9, -8, 7)}};
   EXPECT_GT(faults_of(lit, small(Arithmetic::exact, OffsetRule::fixed)).self_hit, 50u);
   EXPECT_EQ(faults_of(lit, small(Arithmetic::exact)).self_hit, 0u);
+}
+
+TEST(PixelFaults, AHitThatIsFoundBelowItsSurfaceShadesItself) {
+  // In float the hit is off by more than what the offset allows for.
+  Scene scene = test::cube_grid(4, {0.1f, 0.2f, 0.3f});
+  scene.lights = {{.position = {9, 8, 7}}};
+  scene.camera = {{30, 23, 41}, {0.1f, 0.2f, 0.3f}, {0, 1, 0}, 3.0f};
+  EXPECT_GT(faults_of(scene, small(Arithmetic::textbook)).self_hit, 200u);
+  EXPECT_EQ(faults_of(scene, small(Arithmetic::exact)).self_hit, 0u);
 }
 
 TEST(PixelFaults, PassesRefineAndEndWhenStopped) {
