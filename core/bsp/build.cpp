@@ -105,13 +105,16 @@ std::optional<GrownTree> grow_to(int depth, const Rule& rule, BuildJob job) {
 GrownTree grow_tree(const Rule& rule, const BuildJob& job) {
   if (auto whole = grow_to(job.max_depth, rule, job)) return *std::move(whole);
   int fitting = 0, too_deep = job.max_depth;
+  std::optional<GrownTree> cut;
   while (too_deep - fitting > 1) {
     const int depth = fitting + (too_deep - fitting) / 2;
-    (grow_to(depth, rule, job) ? fitting : too_deep) = depth;
+    cut.reset();  // never two trees at once
+    cut = grow_to(depth, rule, job);
+    (cut ? fitting : too_deep) = depth;
   }
-  GrownTree cut = *grow_to(fitting, rule, job);
-  cut.memory_limit_reached = true;
-  return cut;
+  if (!cut) cut = grow_to(fitting, rule, job);
+  cut->memory_limit_reached = true;
+  return *std::move(cut);
 }
 
 }  // namespace

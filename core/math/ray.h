@@ -7,7 +7,7 @@
 namespace bspview {
 
 /// The points origin + t * direction with t_min < t < t_max. The direction has any length but 0;
-/// t counts in units of it; t_min is not negative.
+/// t counts in units of it. Sung & Shirley's walk knows no t < 0.
 struct Ray {
   Vec3 origin{0.0f};
   Vec3 direction{0.0f, 0.0f, 1.0f};

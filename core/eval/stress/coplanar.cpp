@@ -29,21 +29,19 @@ Ray coplanar_ray(const Forest& forest, Dice& dice) {
 
 Result<Trial> prepare_coplanar_objects(const Setting& setting) {
   Dice maker(setting.seed);
-  const auto forests = std::make_shared<std::vector<SharedForest>>();
+  std::vector<std::shared_ptr<const Scene>> scenes;
   for (int axis = 0; axis < 3; ++axis) {
     for (const float position : {0.0f, 0.1f, -1000.0f}) {
       for (const int count : {1, 200}) {
-        const auto scene =
-            std::make_shared<Scene>(make_coplanar_scene(count, axis, position, maker));
-        const auto forest = grow_forest(scene, every_leaf_size);
-        if (!forest) return forest.error();
-        forests->push_back(*forest);
+        scenes.push_back(
+            std::make_shared<Scene>(make_coplanar_scene(count, axis, position, maker)));
       }
     }
   }
-  return Trial([subject = setting.subject, forests](Dice& dice) {
-    const Forest& forest =
-        *(*forests)[static_cast<std::size_t>(dice.below(static_cast<int>(forests->size())))];
+  const auto forests = grow_forests(scenes);
+  if (!forests) return forests.error();
+  return Trial([subject = setting.subject, forests = *forests](Dice& dice) {
+    const Forest& forest = choose_forest(forests, dice);
     const Ray ray = coplanar_ray(forest, dice);
     return compare_with_brute_force(subject, forest, ray, choose_leaf_size(dice));
   });

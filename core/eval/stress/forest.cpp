@@ -30,6 +30,25 @@ Result<SharedForest> grow_forest(std::shared_ptr<const Scene> scene,
   return SharedForest(forest);
 }
 
+Result<Forests> grow_forests(std::span<const std::shared_ptr<const Scene>> scenes) {
+  std::vector<SharedForest> forests;
+  for (const auto& scene : scenes) {
+    auto forest = grow_forest(scene, every_leaf_size);
+    if (!forest) return forest.error();
+    forests.push_back(*std::move(forest));
+  }
+  return std::make_shared<const std::vector<SharedForest>>(std::move(forests));
+}
+
+const Forest& choose_forest(const Forests& forests, Dice& dice) {
+  return *(*forests)[static_cast<std::size_t>(dice.below(static_cast<int>(forests->size())))];
+}
+
+const Tree& choose_tree(const Forest& forest, Dice& dice) {
+  const auto count = static_cast<int>(forest.trees.size());
+  return forest.trees[static_cast<std::size_t>(dice.below(count))];
+}
+
 std::string describe(const Forest& forest, const Tree& tree) {
   return fmt::format("{} by {}, leaf size {}", forest.scene->name, name_of(tree.params.builder),
                      tree.params.leaf_size);

@@ -25,6 +25,13 @@ Result<SharedForest> grow_forest(std::shared_ptr<const Scene> scene,
                                  std::span<const int> leaf_sizes);
 inline constexpr int every_leaf_size[] = {1, 4, 16};
 
+/// One forest a scene, with trees of every leaf size.
+using Forests = std::shared_ptr<const std::vector<SharedForest>>;
+Result<Forests> grow_forests(std::span<const std::shared_ptr<const Scene>> scenes);
+
+const Forest& choose_forest(const Forests& forests, Dice& dice);
+const Tree& choose_tree(const Forest& forest, Dice& dice);
+
 /// Builder and leaf size of a tree, and the scene, for complaints.
 std::string describe(const Forest& forest, const Tree& tree);
 

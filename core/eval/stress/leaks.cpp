@@ -136,18 +136,14 @@ Result<Trial> prepare_every_tree(const Setting& setting) {
 }
 
 Result<Trial> prepare_cube_grids(const Setting& setting) {
-  const auto forests = std::make_shared<std::vector<SharedForest>>();
+  std::vector<std::shared_ptr<const Scene>> scenes;
   for (const Vec3 centre : {Vec3(0.0f), Vec3(0.1f, 0.2f, 0.3f), Vec3(1000.0f)}) {
-    for (const int n : {1, 8}) {
-      const auto scene = std::make_shared<Scene>(nested_cubes(n, centre));
-      const auto forest = grow_forest(scene, every_leaf_size);
-      if (!forest) return forest.error();
-      forests->push_back(*forest);
-    }
+    for (const int n : {1, 8}) scenes.push_back(std::make_shared<Scene>(nested_cubes(n, centre)));
   }
-  return Trial([subject = setting.subject, forests](Dice& dice) {
-    const Forest& forest =
-        *(*forests)[static_cast<std::size_t>(dice.below(static_cast<int>(forests->size())))];
+  const auto forests = grow_forests(scenes);
+  if (!forests) return forests.error();
+  return Trial([subject = setting.subject, forests = *forests](Dice& dice) {
+    const Forest& forest = choose_forest(forests, dice);
     const Aabb& box = forest.brute.bounds();
     Ray ray = ray_towards(aim_at(*forest.scene, box, aim_of(dice.trial()), dice), box, dice);
     if (dice.one_in(4)) ray.direction[dice.below(3)] = 0.0f;

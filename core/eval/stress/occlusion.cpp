@@ -17,21 +17,15 @@ Result<Trial> prepare_occlusion(const Setting& setting) {
               std::make_shared<Scene>(make_icosphere(3, Vec3(1000.0f)).scene),
               std::make_shared<Scene>(make_cube(8, Vec3(0.1f, 0.2f, 0.3f)).scene)};
   }
-  const auto forests = std::make_shared<std::vector<SharedForest>>();
-  for (const auto& scene : scenes) {
-    const auto forest = grow_forest(scene, every_leaf_size);
-    if (!forest) return forest.error();
-    forests->push_back(*forest);
-  }
-  return Trial([subject = setting.subject, forests](Dice& dice) -> Complaint {
-    const auto pick = static_cast<std::size_t>(dice.below(static_cast<int>(forests->size())));
-    const Forest& forest = *(*forests)[pick];
+  const auto forests = grow_forests(scenes);
+  if (!forests) return forests.error();
+  return Trial([subject = setting.subject, forests = *forests](Dice& dice) -> Complaint {
+    const Forest& forest = choose_forest(forests, dice);
     const Aabb& box = forest.brute.bounds();
     const auto aim = static_cast<Aim>(dice.below(aim_count));
     Ray ray = ray_towards(aim_at(*forest.scene, box, aim, dice), box, dice);
     if (dice.one_in(2)) ray.t_max = std::max(0.0f, ray.t_min) + dice.between(0.0f, 1.5f);
-    const Tree& tree =
-        forest.trees[static_cast<std::size_t>(dice.below(static_cast<int>(forest.trees.size())))];
+    const Tree& tree = choose_tree(forest, dice);
     RayCost cost;
     const Hit hit = subject.closest({*forest.scene, tree}, ray, cost);
     const bool occluded = subject.occluded({*forest.scene, tree}, ray);

@@ -41,8 +41,7 @@ Vec3 onto_face(const Aabb& box, Vec3 point, Dice& dice) {
 }
 
 Vec3 special_origin(const Forest& forest, Dice& dice) {
-  const auto pick = static_cast<std::size_t>(dice.below(static_cast<int>(forest.trees.size())));
-  const Tree& tree = forest.trees[pick];
+  const Tree& tree = choose_tree(forest, dice);
   const Scene& scene = *forest.scene;
   const Aabb& box = forest.brute.bounds();
   const Vec3 anywhere = aim_at(scene, box, Aim::anywhere, dice);
@@ -85,8 +84,7 @@ std::array<Vec3, 26> neighbour_directions(Dice& dice) {
 /// Rays in planes visit both sides of them; no more than that. Over many rays, since one in an edge
 /// of four cells rightly visits all of them.
 Complaint compare_visits(const Subject& subject, const Forest& forest, Dice& dice) {
-  const Tree& tree =
-      forest.trees[static_cast<std::size_t>(dice.below(static_cast<int>(forest.trees.size())))];
+  const Tree& tree = choose_tree(forest, dice);
   const World world{*forest.scene, tree};
   const Vec3 extent = forest.brute.bounds().extent();
   std::vector<std::uint64_t> special, ordinary;
@@ -121,15 +119,10 @@ Result<Trial> prepare_rays_in_planes(const Setting& setting) {
               std::make_shared<Scene>(make_mixed_scene(300, Vec3(0.0f), maker)),
               std::make_shared<Scene>(make_icosphere(3, Vec3(1000.0f)).scene)};
   }
-  const auto forests = std::make_shared<std::vector<SharedForest>>();
-  for (const auto& scene : scenes) {
-    const auto forest = grow_forest(scene, every_leaf_size);
-    if (!forest) return forest.error();
-    forests->push_back(*forest);
-  }
-  return Trial([subject = setting.subject, forests](Dice& dice) -> Complaint {
-    const auto pick = static_cast<std::size_t>(dice.below(static_cast<int>(forests->size())));
-    const Forest& forest = *(*forests)[pick];
+  const auto forests = grow_forests(scenes);
+  if (!forests) return forests.error();
+  return Trial([subject = setting.subject, forests = *forests](Dice& dice) -> Complaint {
+    const Forest& forest = choose_forest(forests, dice);
     if (dice.trial() % 64 == 63) return compare_visits(subject, forest, dice);
     const int leaf_size = every_leaf_size[dice.below(3)];
     const Vec3 origin = special_origin(forest, dice);
