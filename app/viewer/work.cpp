@@ -50,13 +50,15 @@ Result<void> follow_rays(const PathRequest& request, std::stop_token,
 Result<void> judge_picture(const AccuracyRequest& request, std::stop_token stop,
                            const Publish<Accuracy>& publish) {
   const World world = request.tree->world();
+  const Reference reference(world.scene);
+  const JudgedPicture picture{world, reference, request.camera, request.params};
   Accuracy accuracy{request, {}, {}};
-  find_pixel_faults(world, request.camera, request.params, stop, [&](const PixelFaults& faults) {
+  find_pixel_faults(picture, stop, [&](const PixelFaults& faults) {
     accuracy.faults = faults;
     publish(std::make_shared<const Accuracy>(accuracy));
   });
   if (!accuracy.faults.complete) return {};
-  measure_trade_offs(world, request.camera, request.params, stop, [&](const auto& points) {
+  measure_trade_offs(picture, stop, [&](const auto& points) {
     accuracy.points = points;
     publish(std::make_shared<const Accuracy>(accuracy));
   });

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "core/base/parallel.h"
-#include "core/eval/reference.h"
 #include "core/render/pixel_grid.h"
 #include "core/render/surface.h"
 #include "core/render/trace.h"
@@ -17,15 +16,15 @@ constexpr std::array<int, 5> strides{16, 8, 4, 2, 1};
 
 class FaultFinder {
  public:
-  FaultFinder(const World& world, const Camera& camera, const RenderParams& params)
-      : world_(world),
-        params_(params),
-        rules_(trace_rules(params)),
-        eye_(camera, params.width, params.height),
-        reference_(world.scene) {
-    faults_.width = params.width;
-    faults_.height = params.height;
-    faults_.pixels.assign(static_cast<std::size_t>(params.width) * params.height,
+  explicit FaultFinder(const JudgedPicture& picture)
+      : world_(picture.world),
+        reference_(picture.reference),
+        params_(picture.params),
+        rules_(trace_rules(params_)),
+        eye_(picture.camera, params_.width, params_.height) {
+    faults_.width = params_.width;
+    faults_.height = params_.height;
+    faults_.pixels.assign(static_cast<std::size_t>(params_.width) * params_.height,
                           PixelFault::unchecked);
   }
 
@@ -95,21 +94,20 @@ class FaultFinder {
   }
 
   World world_;
+  const Reference& reference_;
   RenderParams params_;
   TraceRules rules_;
   PrimaryRays eye_;
-  Reference reference_;
   PixelFaults faults_;
 };
 
 }  // namespace
 
-void find_pixel_faults(const World& world, const Camera& camera, const RenderParams& params,
-                       std::stop_token stop,
+void find_pixel_faults(const JudgedPicture& picture, std::stop_token stop,
                        const std::function<void(const PixelFaults&)>& publish) {
-  if (params.width <= 0 || params.height <= 0) return;
-  with_threads(params.threads, [&] {
-    FaultFinder finder(world, camera, params);
+  if (picture.params.width <= 0 || picture.params.height <= 0) return;
+  with_threads(picture.params.threads, [&] {
+    FaultFinder finder(picture);
     for (const int stride : strides) {
       if (!finder.run_pass(stride, stop)) return;
       publish(finder.faults());

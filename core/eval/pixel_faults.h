@@ -4,6 +4,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/eval/reference.h"
 #include "core/render/render.h"
 
 namespace bspview {
@@ -25,12 +26,19 @@ struct PixelFaults {
   bool complete = false;                                         ///< every pixel was checked
 };
 
-/// Traces the ray through every pixel centre, and the shadow rays from its hit, as `params` says,
-/// and judges them by the Reference. Every 16th, 8th, 4th, 2nd and every pixel in both directions
+/// A picture that is judged. All outlive the call.
+struct JudgedPicture {
+  const World& world;
+  const Reference& reference;  ///< of the world's scene
+  const Camera& camera;
+  const RenderParams& params;
+};
+
+/// Traces the ray through every pixel centre, and the shadow rays from its hit, as the params say,
+/// and judges them by the reference. Every 16th, 8th, 4th, 2nd and every pixel in both directions
 /// in turn; calls publish(faults) after each, on the calling thread. Returns when done or when
 /// `stop` is requested (polled per tile). Tens of microseconds a pixel.
-void find_pixel_faults(const World& world, const Camera& camera, const RenderParams& params,
-                       std::stop_token stop,
+void find_pixel_faults(const JudgedPicture& picture, std::stop_token stop,
                        const std::function<void(const PixelFaults&)>& publish);
 
 }  // namespace bspview

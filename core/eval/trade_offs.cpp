@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/base/timer.h"
-#include "core/eval/lambda.h"
-#include "core/eval/reference.h"
+#include "core/eval/error/pareto.h"
+#include "core/eval/error/time.h"
+#include "core/eval/kernels.h"
 #include "core/render/pixel_grid.h"
-#include "core/render/trace.h"
 
 namespace bspview {
 namespace {
@@ -16,72 +15,92 @@ namespace {
 constexpr double most_rays = 4096.0;
 constexpr int rounds = 9;
 
-std::vector<Ray> sample_rays(const Camera& camera, const RenderParams& params) {
+RayBatch sample_rays(const Camera& camera, const RenderParams& params) {
   const double pixels = static_cast<double>(params.width) * params.height;
   const int step = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / most_rays))));
   const PrimaryRays eye(camera, params.width, params.height);
-  std::vector<Ray> rays;
+  RayBatch batch;
   for (int y = step / 2; y < params.height; y += step)
     for (int x = step / 2; x < params.width; x += step)
-      rays.push_back(sample_ray(eye, x, y, Vec2(0.5f)));
-  return rays;
+      batch.rays.push_back(sample_ray(eye, x, y, Vec2(0.5f)));
+  return batch;
 }
+
+/// The shape tests that pictures in this arithmetic use.
+KernelChoice choice_of(Arithmetic arithmetic, Traversal traversal) {
+  switch (arithmetic) {
+    case Arithmetic::textbook:
+      return {FaceTest::moeller_float, QuadricTest::textbook_float, traversal};
+    case Arithmetic::woop:
+      return {FaceTest::woop_float, QuadricTest::textbook_float, traversal};
+    case Arithmetic::in_double:
+      return {FaceTest::moeller_double, QuadricTest::in_double, traversal};
+    case Arithmetic::exact:
+      break;
+  }
+  return {.traversal = traversal};
+}
+
+/// One way of tracing at work.
+struct Way {
+  BoundKernel kernel;
+  std::vector<double> seconds;  // of every round
+};
 
 class Contest {
  public:
-  Contest(const World& world, const Camera& camera, const RenderParams& params)
-      : world_(world), rays_(sample_rays(camera, params)), hits_(rays_.size()) {
+  explicit Contest(const JudgedPicture& picture)
+      : reference_(picture.reference), batch_(sample_rays(picture.camera, picture.params)) {
     for (std::size_t a = 0; a < arithmetic_names().size(); ++a)
       for (std::size_t t = 0; t < traversal_names().size(); ++t)
-        points_.push_back({static_cast<Arithmetic>(a), static_cast<Traversal>(t)});
-    seconds_.resize(points_.size());
+        add(picture.world, static_cast<Arithmetic>(a), static_cast<Traversal>(t));
   }
 
   /// False when it was stopped.
   bool judge_all(std::stop_token stop) {
-    const Reference reference(world_.scene);
-    for (TradeOffPoint& point : points_) {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
       if (stop.stop_requested()) return false;
-      trace(point);
-      point.rays = rays_.size();
-      std::vector<char> wrong(rays_.size());
-      parallel_for(static_cast<int>(rays_.size()), [&](int i) {
-        const std::size_t ray = static_cast<std::size_t>(i);
-        const Hit& hit = hits_[ray];
-        const Verdict verdict = reference.judge(rays_[ray], hit.object, hit.t).verdict;
-        wrong[ray] = verdict == Verdict::lost || verdict == Verdict::phantom;
-      });
-      point.wrong = static_cast<std::size_t>(std::ranges::count(wrong, 1));
+      points_[i].rays = batch_.rays.size();
+      points_[i].wrong = count_wrong(ways_[i].kernel);
     }
     return true;
   }
 
   void time_all() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Timer timer;
-      trace(points_[i]);
-      seconds_[i].push_back(timer.seconds());
-      const double median = summarise(seconds_[i]).median;
-      points_[i].nanoseconds = 1e9 * median / static_cast<double>(rays_.size());
+      ways_[i].seconds.push_back(time_rays(ways_[i].kernel, batch_, 1));
+      const auto rays = static_cast<double>(batch_.rays.size());
+      points_[i].nanoseconds = 1e9 * median_of(ways_[i].seconds) / rays;
     }
   }
 
   const std::vector<TradeOffPoint>& points() const { return points_; }
-  bool empty() const { return rays_.empty(); }
+  bool empty() const { return batch_.rays.empty(); }
 
  private:
-  void trace(const TradeOffPoint& point) {
-    const TraceRules rules{.traversal = point.traversal, .arithmetic = point.arithmetic};
-    NoObserver none;
-    for (std::size_t i = 0; i < rays_.size(); ++i)
-      hits_[i] = trace_closest(world_, rays_[i], rules, none);
+  void add(const World& world, Arithmetic arithmetic, Traversal traversal) {
+    points_.push_back({arithmetic, traversal});
+    ways_.emplace_back();
+    ways_.back().kernel.closest = make_kernel(choice_of(arithmetic, traversal)).closest(world);
   }
 
-  World world_;
-  std::vector<Ray> rays_;
-  std::vector<Hit> hits_;
+  std::size_t count_wrong(const BoundKernel& kernel) const {
+    std::vector<RayResult> results(batch_.rays.size());
+    kernel.closest(batch_.rays, results);
+    std::vector<char> wrong(results.size());
+    parallel_for(static_cast<int>(results.size()), [&](int i) {
+      const auto ray = static_cast<std::size_t>(i);
+      const Verdict verdict =
+          reference_.judge(batch_.rays[ray], results[ray].object, results[ray].t).verdict;
+      wrong[ray] = verdict == Verdict::lost || verdict == Verdict::phantom;
+    });
+    return static_cast<std::size_t>(std::ranges::count(wrong, 1));
+  }
+
+  const Reference& reference_;
+  RayBatch batch_;
   std::vector<TradeOffPoint> points_;
-  std::vector<std::vector<double>> seconds_;  // of every round; index as in points_
+  std::vector<Way> ways_;  // index as in points_
 };
 
 }  // namespace
@@ -91,12 +110,12 @@ double TradeOffPoint::wrong_a_million() const {
   return 1e6 * (wrong > 0 ? static_cast<double>(wrong) : 3.0) / static_cast<double>(rays);
 }
 
-void measure_trade_offs(const World& world, const Camera& camera, const RenderParams& params,
-                        std::stop_token stop,
+void measure_trade_offs(const JudgedPicture& picture, std::stop_token stop,
                         const std::function<void(const std::vector<TradeOffPoint>&)>& publish) {
-  Contest contest(world, camera, params);
+  Contest contest(picture);
   bool judged = false;
-  with_threads(params.threads, [&] { judged = !contest.empty() && contest.judge_all(stop); });
+  with_threads(picture.params.threads,
+               [&] { judged = !contest.empty() && contest.judge_all(stop); });
   for (int round = 0; judged && round < rounds && !stop.stop_requested(); ++round) {
     contest.time_all();
     publish(contest.points());

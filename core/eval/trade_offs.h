@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/render/render.h"
+#include "core/eval/pixel_faults.h"
 
 namespace bspview {
 
@@ -12,7 +12,7 @@ namespace bspview {
 struct TradeOffPoint {
   Arithmetic arithmetic = Arithmetic::exact;
   Traversal traversal = Traversal::robust;
-  double nanoseconds = 0.0;  ///< a ray, on one thread: the median of the rounds so far
+  double nanoseconds = 0.0;  ///< a ray, on one thread (time_rays): the median of the rounds so far
   std::size_t rays = 0;      ///< judged
   std::size_t wrong = 0;     ///< of those: lost or phantom
 
@@ -21,11 +21,10 @@ struct TradeOffPoint {
 };
 
 /// Every arithmetic with every traversal, on the same eye rays (at most 4096, evenly over the
-/// picture). All are judged once by the Reference and timed in rounds, one after the other; calls
+/// picture). All are judged once by the reference and timed in rounds, one after the other; calls
 /// publish(points) after every round, on the calling thread. Returns when done or when `stop` is
 /// requested.
-void measure_trade_offs(const World& world, const Camera& camera, const RenderParams& params,
-                        std::stop_token stop,
+void measure_trade_offs(const JudgedPicture& picture, std::stop_token stop,
                         const std::function<void(const std::vector<TradeOffPoint>&)>& publish);
 
 }  // namespace bspview

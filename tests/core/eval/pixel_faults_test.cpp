@@ -23,7 +23,9 @@ Scene far_ball(float distance) {
 PixelFaults faults_of(const Scene& scene, const RenderParams& params) {
   const Tree tree = *build_scene_tree(scene, {});
   PixelFaults last;
-  find_pixel_faults({scene, tree}, scene.camera, params, {},
+  const World world{scene, tree};
+  const Reference reference(scene);
+  find_pixel_faults({world, reference, scene.camera, params}, {},
                     [&](const PixelFaults& faults) { last = faults; });
   return last;
 }
@@ -72,17 +74,20 @@ TEST(PixelFaults, AHitThatIsFoundBelowItsSurfaceShadesItself) {
 TEST(PixelFaults, PassesRefineAndEndWhenStopped) {
   const Scene scene = far_ball(10.0f);
   const Tree tree = *build_scene_tree(scene, {});
+  const World world{scene, tree};
+  const Reference reference(scene);
+  const RenderParams params = small(Arithmetic::exact);
+  const JudgedPicture picture{world, reference, scene.camera, params};
   std::vector<std::size_t> checked;
-  find_pixel_faults({scene, tree}, scene.camera, small(Arithmetic::exact), {},
+  find_pixel_faults(picture, {},
                     [&](const PixelFaults& faults) { checked.push_back(faults.checked); });
   EXPECT_EQ(checked, (std::vector<std::size_t>{16, 64, 256, 1024, 4096}));
   std::stop_source stop;
   int passes = 0;
-  find_pixel_faults({scene, tree}, scene.camera, small(Arithmetic::exact), stop.get_token(),
-                    [&](const PixelFaults&) {
-                      ++passes;
-                      stop.request_stop();
-                    });
+  find_pixel_faults(picture, stop.get_token(), [&](const PixelFaults&) {
+    ++passes;
+    stop.request_stop();
+  });
   EXPECT_EQ(passes, 1);
 }
 

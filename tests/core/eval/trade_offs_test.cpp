@@ -13,9 +13,11 @@ TEST(TradeOffs, EveryWayIsMeasuredOnTheSameRaysAndTheDefaultNeverErrs) {
   const Tree tree = *build_scene_tree(scene, {});
   RenderParams params;
   params.width = params.height = 40;
+  const World world{scene, tree};
+  const Reference reference(scene);
   int rounds = 0;
   std::vector<TradeOffPoint> points;
-  measure_trade_offs({scene, tree}, scene.camera, params, {}, [&](const auto& found) {
+  measure_trade_offs({world, reference, scene.camera, params}, {}, [&](const auto& found) {
     ++rounds;
     points = found;
   });
@@ -42,9 +44,12 @@ TEST(TradeOffs, WhatWasNeverWrongIsBoundedByThreeInN) {
 TEST(TradeOffs, AStopEndsThem) {
   const Scene scene = test::random_scene(300, 8);
   const Tree tree = *build_scene_tree(scene, {});
+  const World world{scene, tree};
+  const Reference reference(scene);
+  const RenderParams params;
   std::stop_source stop;
   int rounds = 0;
-  measure_trade_offs({scene, tree}, scene.camera, {}, stop.get_token(), [&](const auto&) {
+  measure_trade_offs({world, reference, scene.camera, params}, stop.get_token(), [&](const auto&) {
     ++rounds;
     stop.request_stop();
   });
