@@ -1,7 +1,7 @@
 #pragma once
 
-// What a check of the stress test is. The table is checks.cpp, the checks themselves are the
-// other files stress_<what>.cpp.
+// What a check of the stress test is. The table is checks.cpp, the checks themselves are the files
+// named in rows.h.
 
 #include <functional>
 #include <memory>
@@ -21,10 +21,15 @@ using Complaint = std::optional<std::string>;
 /// One trial; called from several threads at once unless the check is serial.
 using Trial = std::function<Complaint(Dice&)>;
 
+struct Forest;
+using SharedForest = std::shared_ptr<const Forest>;
+
 /// What a check is prepared for.
 struct Setting {
   const Subject& subject;
   std::shared_ptr<const Scene> scene;  ///< null: scenes of the check's own
+  /// The trees of `scene`, grown once for all checks.
+  std::function<Result<SharedForest>()> forest;
   std::uint64_t seed = 1;
   std::int64_t last_trial = 0;  ///< largest number of a trial that will be run
 };

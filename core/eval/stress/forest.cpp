@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/parallel.h"
 #include "core/render/scene_tree.h"
 
 namespace bspview::stress {
@@ -10,23 +11,42 @@ namespace {
 /// Testing every object of larger scenes takes the time of a thousand walks through a tree.
 constexpr std::size_t largest_naive = 2000;
 
+/// Of nodes and references. Splitting at middles makes trees of 640 MB of spd:shells; cut to this,
+/// they are as hard to walk.
+constexpr std::size_t largest_tree = std::size_t{1} << 28;
+
+std::vector<BuildParams> tree_kinds(std::size_t objects, std::span<const int> leaf_sizes) {
+  std::vector<BuildParams> kinds;
+  const auto count = static_cast<int>(builder_names().size());
+  for (int builder = 0; builder < count; ++builder) {
+    const bool naive = static_cast<Builder>(builder) == Builder::naive;
+    if (naive && objects > largest_naive) continue;
+    for (const int leaf_size : naive ? leaf_sizes.first(1) : leaf_sizes) {
+      kinds.push_back({.builder = static_cast<Builder>(builder),
+                       .leaf_size = leaf_size,
+                       .memory_limit = largest_tree,
+                       .threads = 1});
+    }
+  }
+  return kinds;
+}
+
 }  // namespace
 
 Result<SharedForest> grow_forest(std::shared_ptr<const Scene> scene,
                                  std::span<const int> leaf_sizes) {
   const auto forest = std::make_shared<Forest>(std::move(scene));
-  const auto count = static_cast<int>(builder_names().size());
-  for (int builder = 0; builder < count; ++builder) {
-    const bool naive = static_cast<Builder>(builder) == Builder::naive;
-    if (naive && forest->scene->objects.size() > largest_naive) continue;
-    for (const int leaf_size : leaf_sizes) {
-      if (naive && leaf_size != leaf_sizes.front()) continue;
-      auto tree = build_scene_tree(
-          *forest->scene, {.builder = static_cast<Builder>(builder), .leaf_size = leaf_size});
-      if (!tree) return tree.error();
-      forest->trees.push_back(*std::move(tree));
-    }
-  }
+  const std::vector<BuildParams> kinds = tree_kinds(forest->scene->objects.size(), leaf_sizes);
+  forest->trees.resize(kinds.size());
+  std::vector<std::optional<Error>> errors(kinds.size());
+  parallel_for(static_cast<int>(kinds.size()), [&](int kind) {
+    const auto i = static_cast<std::size_t>(kind);
+    auto tree = build_scene_tree(*forest->scene, kinds[i]);
+    if (!tree) errors[i] = tree.error();
+    if (tree) forest->trees[i] = *std::move(tree);
+  });
+  for (const auto& error : errors)
+    if (error) return *error;
   return SharedForest(forest);
 }
 
@@ -38,6 +58,12 @@ Result<Forests> grow_forests(std::span<const std::shared_ptr<const Scene>> scene
     forests.push_back(*std::move(forest));
   }
   return std::make_shared<const std::vector<SharedForest>>(std::move(forests));
+}
+
+Result<Forests> forests_of_scene(const Setting& setting) {
+  auto forest = setting.forest();
+  if (!forest) return forest.error();
+  return std::make_shared<const std::vector<SharedForest>>(1, *std::move(forest));
 }
 
 const Forest& choose_forest(const Forests& forests, Dice& dice) {

@@ -18,7 +18,6 @@ struct Forest {
   Reference reference;  ///< beyond rounding
   std::vector<Tree> trees;
 };
-using SharedForest = std::shared_ptr<const Forest>;
 
 /// A tree by every builder and leaf size; by the naive one only where the scene is small.
 Result<SharedForest> grow_forest(std::shared_ptr<const Scene> scene,
@@ -28,6 +27,7 @@ inline constexpr int every_leaf_size[] = {1, 4, 16};
 /// One forest a scene, with trees of every leaf size.
 using Forests = std::shared_ptr<const std::vector<SharedForest>>;
 Result<Forests> grow_forests(std::span<const std::shared_ptr<const Scene>> scenes);
+Result<Forests> forests_of_scene(const Setting& setting);  ///< of the scene the user named
 
 const Forest& choose_forest(const Forests& forests, Dice& dice);
 const Tree& choose_tree(const Forest& forest, Dice& dice);

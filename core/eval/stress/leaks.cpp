@@ -73,7 +73,7 @@ Scene nested_cubes(int n, Vec3 centre) {
 }
 
 Result<Trial> prepare_scene_trees(const Setting& setting) {
-  const auto forest = grow_forest(setting.scene, every_leaf_size);
+  const auto forest = setting.forest();
   if (!forest) return forest.error();
   return Trial([subject = setting.subject, forest = *forest](Dice& dice) {
     const Aabb& box = forest->brute.bounds();

@@ -104,14 +104,13 @@ Complaint leave_lonely_object(const Subject& subject, Dice& dice) {
 }
 
 Result<Trial> prepare_leaving_in_scene(const Setting& setting) {
-  const auto forest = grow_forest(setting.scene, std::array{1});
+  const auto forest = setting.forest();
   if (!forest) return forest.error();
   return Trial([subject = setting.subject, forest = *forest](Dice& dice) -> Complaint {
     const Scene& scene = *forest->scene;
     const Aabb& box = forest->brute.bounds();
     const Ray ray = ray_towards(aim_at(scene, box, Aim::anywhere, dice), box, dice);
-    const Tree& tree =
-        forest->trees[static_cast<std::size_t>(dice.below(static_cast<int>(forest->trees.size())))];
+    const Tree& tree = choose_tree(*forest, dice);
     RayCost cost;
     const Hit hit = subject.closest({scene, tree}, ray, cost);
     if (!hit) return std::nullopt;

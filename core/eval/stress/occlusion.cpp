@@ -2,22 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "core/eval/stress/forest.h"
 #include "core/eval/stress/mesh.h"
 #include "core/eval/stress/rows.h"
 #include "core/eval/stress/scenes.h"
 
 namespace bspview::stress {
+namespace {
+
+Result<Forests> own_forests(std::uint64_t seed) {
+  Dice maker(seed);
+  const std::array<std::shared_ptr<const Scene>, 3> scenes{
+      std::make_shared<Scene>(make_mixed_scene(400, Vec3(0.0f), maker)),
+      std::make_shared<Scene>(make_icosphere(3, Vec3(1000.0f)).scene),
+      std::make_shared<Scene>(make_cube(8, Vec3(0.1f, 0.2f, 0.3f)).scene)};
+  return grow_forests(scenes);
+}
+
+}  // namespace
 
 Result<Trial> prepare_occlusion(const Setting& setting) {
-  std::vector<std::shared_ptr<const Scene>> scenes{setting.scene};
-  if (!setting.scene) {
-    Dice maker(setting.seed);
-    scenes = {std::make_shared<Scene>(make_mixed_scene(400, Vec3(0.0f), maker)),
-              std::make_shared<Scene>(make_icosphere(3, Vec3(1000.0f)).scene),
-              std::make_shared<Scene>(make_cube(8, Vec3(0.1f, 0.2f, 0.3f)).scene)};
-  }
-  const auto forests = grow_forests(scenes);
+  const auto forests = setting.scene ? forests_of_scene(setting) : own_forests(setting.seed);
   if (!forests) return forests.error();
   return Trial([subject = setting.subject, forests = *forests](Dice& dice) -> Complaint {
     const Forest& forest = choose_forest(forests, dice);

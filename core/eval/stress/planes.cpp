@@ -108,18 +108,20 @@ Complaint compare_visits(const Subject& subject, const Forest& forest, Dice& dic
       describe(forest, tree), beside, found);
 }
 
+Result<Forests> own_forests(std::uint64_t seed) {
+  Dice maker(seed);
+  const std::array<std::shared_ptr<const Scene>, 4> scenes{
+      std::make_shared<Scene>(make_cube(8, Vec3(0.0f)).scene),
+      std::make_shared<Scene>(make_cube(5, Vec3(0.1f, 0.2f, 0.3f)).scene),
+      std::make_shared<Scene>(make_mixed_scene(300, Vec3(0.0f), maker)),
+      std::make_shared<Scene>(make_icosphere(3, Vec3(1000.0f)).scene)};
+  return grow_forests(scenes);
+}
+
 }  // namespace
 
 Result<Trial> prepare_rays_in_planes(const Setting& setting) {
-  Dice maker(setting.seed);
-  std::vector<std::shared_ptr<const Scene>> scenes{setting.scene};
-  if (!setting.scene) {
-    scenes = {std::make_shared<Scene>(make_cube(8, Vec3(0.0f)).scene),
-              std::make_shared<Scene>(make_cube(5, Vec3(0.1f, 0.2f, 0.3f)).scene),
-              std::make_shared<Scene>(make_mixed_scene(300, Vec3(0.0f), maker)),
-              std::make_shared<Scene>(make_icosphere(3, Vec3(1000.0f)).scene)};
-  }
-  const auto forests = grow_forests(scenes);
+  const auto forests = setting.scene ? forests_of_scene(setting) : own_forests(setting.seed);
   if (!forests) return forests.error();
   return Trial([subject = setting.subject, forests = *forests](Dice& dice) -> Complaint {
     const Forest& forest = choose_forest(forests, dice);

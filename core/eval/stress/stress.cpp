@@ -7,12 +7,20 @@
 
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
+#include "core/eval/stress/forest.h"
 
 namespace bspview::stress {
 namespace {
 
 bool is_among(const std::vector<std::string>& wanted, std::string_view name) {
   return wanted.empty() || std::ranges::find(wanted, name) != wanted.end();
+}
+
+/// `full`: of a full run.
+std::int64_t trial_count(const Plan& plan, std::int64_t full) {
+  if (!plan.trials) return full;
+  if (!plan.ids.empty()) return *plan.trials;
+  return std::max<std::int64_t>(1, *plan.trials * full / 1'000'000);
 }
 
 /// Trials of `check` on `scene`, from the first to behind the last; empty when it is not to run.
@@ -24,7 +32,7 @@ TrialRange range_of(const Check& check, const Plan& plan, const NamedScene& scen
   const std::int64_t full = scene.scene ? check.scene_trials : check.trials;
   if (full == 0 || !is_among(plan.groups, check.group) || !is_among(plan.ids, check.id)) return {};
   if (plan.only) return {*plan.only, *plan.only + 1};
-  return {0, plan.trials.value_or(full)};
+  return {0, trial_count(plan, full)};
 }
 
 /// Gathers what trials on several threads found.
@@ -46,11 +54,29 @@ class Tally {
   std::optional<Failure> first_;
 };
 
+/// The forest of a scene, grown when a check first asks for it.
+class SceneForest {
+ public:
+  explicit SceneForest(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
+
+  Result<SharedForest> get() {
+    if (forest_) return forest_;
+    auto grown = grow_forest(scene_, every_leaf_size);
+    if (grown) forest_ = *grown;
+    return grown;
+  }
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  SharedForest forest_;
+};
+
 /// One check with what it runs on.
 struct Job {
   const Check& check;
   const Plan& plan;
   const NamedScene& scene;
+  SceneForest& forest;
   TrialRange range;
 };
 
@@ -87,8 +113,11 @@ Result<Row> run_check(const Job& job, const Subject& subject, const Watch& watch
           .what = std::string(job.check.what),
           .scene = job.scene.name,
           .trials = job.range.count()};
-  const auto trial =
-      job.check.prepare({subject, job.scene.scene, job.plan.seed, job.range.end - 1});
+  const auto trial = job.check.prepare({.subject = subject,
+                                        .scene = job.scene.scene,
+                                        .forest = [&] { return job.forest.get(); },
+                                        .seed = job.plan.seed,
+                                        .last_trial = job.range.end - 1});
   if (!trial) return Error{fmt::format("{}: {}", job.check.id, trial.error().message)};
   Tally tally;
   run_trials(job, *trial, watch, tally);
@@ -116,11 +145,12 @@ Result<std::vector<Row>> run(const Plan& plan, const NamedScene& scene, const Su
                              const Watch& watch) {
   std::vector<Row> rows;
   std::optional<Error> error;
+  SceneForest forest(scene.scene);
   const auto run_all = [&] {
     for (const Check& check : checks()) {
       const TrialRange range = range_of(check, plan, scene);
       if (range.count() <= 0) continue;
-      auto row = run_check({check, plan, scene, range}, subject, watch);
+      auto row = run_check({check, plan, scene, forest, range}, subject, watch);
       if (watch.stopped()) error = Error{"stopped"};
       if (!row) error = row.error();
       if (error) return;

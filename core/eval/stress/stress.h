@@ -15,11 +15,13 @@ namespace bspview::stress {
 /// What is run.
 struct Plan {
   std::uint64_t seed = 1;
-  std::optional<std::int64_t> trials;  ///< of every check; nullopt: those of a full run
-  std::optional<std::int64_t> only;    ///< this trial alone
-  std::vector<std::string> groups;     ///< empty: all
-  std::vector<std::string> ids;        ///< empty: all
-  int threads = 0;                     ///< 0: every core
+  /// Of each check of `ids`; without ids, of the checks that have a million in a full run, and of
+  /// the others in proportion, at least one. nullopt: a full run.
+  std::optional<std::int64_t> trials;
+  std::optional<std::int64_t> only;  ///< this trial alone
+  std::vector<std::string> groups;   ///< empty: all
+  std::vector<std::string> ids;      ///< empty: all
+  int threads = 0;                   ///< 0: every core
 };
 
 /// A trial that did not hold.

@@ -97,6 +97,19 @@ TEST(Stress, GroupsAndIdsChooseWhatRuns) {
   EXPECT_EQ(planned_trials({.only = 5, .ids = {"T04"}}, {}), 1);
 }
 
+TEST(Stress, DearChecksMakeFewerTrialsUnlessTheyAreNamed) {
+  const auto count = [](std::int64_t trials, const char* group) {
+    return planned_trials({.trials = trials, .groups = {group}}, {});
+  };
+  EXPECT_EQ(count(2000, "anyhit"), 2000);
+  EXPECT_EQ(count(2000, "far"), 800);
+  EXPECT_EQ(count(2000, "stops"), 1);
+  EXPECT_EQ(count(1, "garbage"), 2);  // at least one of each of two checks
+  EXPECT_EQ(planned_trials({.trials = 2000, .ids = {"T22"}}, {}), 2000);
+  // A million is a full run.
+  EXPECT_EQ(planned_trials({.trials = 1'000'000}, {}), planned_trials({}, {}));
+}
+
 TEST(Stress, WhatDependsOnNoSceneIsNotRunOnOne) {
   const NamedScene scene = standard_scene("tetra", 1);
   EXPECT_EQ(planned_trials({.trials = 10, .ids = {"T04"}}, scene), 0);
