@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "app/eval/commands.h"
@@ -16,13 +17,18 @@ const std::vector<std::string> standard_scenes{"spd:balls", "spd:gears", "spd:la
                                                "spd:mount", "spd:rings", "spd:teapot",
                                                "spd:tetra", "spd:tree"};
 
+/// What is measured.
+enum class Parts { rays, both, images };
+const std::map<std::string, Parts> parts_by_name{
+    {"off", Parts::rays}, {"on", Parts::both}, {"only", Parts::images}};
+
 struct ErrorOptions {
   TreeOptions tree;
   std::vector<std::string> scenes;
   std::size_t rays = ErrorParams{}.rays;
   int repeats = ErrorParams{}.repeats;
   std::optional<PictureSize> size;
-  std::optional<bool> images;
+  Parts parts = Parts::both;
   bool threads_given = false;
   std::string folder;
   std::string json;
@@ -47,6 +53,10 @@ Result<void> make_folder(const std::string& folder) {
   return check_writable(std::filesystem::path(folder) / "error.html");
 }
 
+int timing_threads(const ErrorOptions& options) {
+  return options.threads_given ? options.tree.build.threads : 1;
+}
+
 ErrorParams error_params(const ErrorOptions& options) {
   ErrorParams params;
   params.build = options.tree.build;
@@ -54,8 +64,17 @@ ErrorParams error_params(const ErrorOptions& options) {
   params.seed = options.tree.seed;
   params.rays = options.rays;
   params.repeats = options.repeats;
-  params.timing_threads = options.threads_given ? options.tree.build.threads : 1;
+  params.timing_threads = timing_threads(options);
   return params;
+}
+
+Result<void> measure_rays(const ErrorOptions& options, const Watch& watch, ErrorStudy& study) {
+  const auto scenes = load_scenes(options.scenes);
+  if (!scenes) return scenes.error();
+  auto report = measure_errors(*scenes, error_params(options), watch);
+  if (!report) return report.error();
+  study.rays = *std::move(report);
+  return {};
 }
 
 constexpr PictureSize default_size{128, 128};
@@ -70,7 +89,7 @@ ImageErrorParams image_params(const ErrorOptions& options) {
   params.render.traversal = options.tree.traversal;
   params.render.threads = options.tree.build.threads;
   params.repeats = options.repeats;
-  params.patience = 1.0;
+  params.timing_threads = timing_threads(options);
   return params;
 }
 
@@ -106,9 +125,10 @@ Result<void> with_progress(const std::string& what, bool quiet, const Work& work
 Result<void> save(const ErrorStudy& study, const ErrorOptions& options) {
   if (!options.folder.empty()) {
     const std::filesystem::path folder(options.folder);
-    const std::pair<const char*, std::string> files[]{{"error.csv", to_csv(study)},
-                                                      {"error.json", to_json(study)},
-                                                      {"error.html", to_html(study)}};
+    std::map<std::string, std::string> files{{"error.json", to_json(study)},
+                                             {"error.html", to_html(study)}};
+    if (options.parts != Parts::images) files["error.csv"] = to_csv(study.rays);
+    if (options.parts != Parts::rays) files["images.csv"] = to_csv(study.images);
     for (const auto& [name, text] : files) {
       if (const auto written = write_file(folder / name, text); !written) return written;
     }
@@ -122,18 +142,13 @@ Result<void> save(const ErrorStudy& study, const ErrorOptions& options) {
 Result<void> run_error(const ErrorOptions& options) {
   if (const auto ready = check_output(options.json); !ready) return ready;
   if (const auto ready = make_folder(options.folder); !ready) return ready;
-  const auto scenes = load_scenes(options.scenes);
-  if (!scenes) return scenes.error();
   ErrorStudy study;
-  const auto rays = [&](const Watch& watch) -> Result<void> {
-    auto report = measure_errors(*scenes, error_params(options), watch);
-    if (!report) return report.error();
-    study.rays = *std::move(report);
-    return {};
-  };
-  if (const auto done = with_progress("rays", options.quiet, rays); !done) return done;
+  const auto rays = [&](const Watch& watch) { return measure_rays(options, watch, study); };
   const auto pictures = [&](const Watch& watch) { return measure_pictures(options, watch, study); };
-  if (options.images.value_or(true)) {
+  if (options.parts != Parts::images) {
+    if (const auto done = with_progress("rays", options.quiet, rays); !done) return done;
+  }
+  if (options.parts != Parts::rays) {
     if (const auto done = with_progress("pictures", options.quiet, pictures); !done) return done;
   }
   return save(study, options);
@@ -160,11 +175,17 @@ void add_error(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 100000).description(""))
       ->type_name("N")
       ->capture_default_str();
-  add_switch(*command, "--images", options->images)
-      ->description("Measure the error of pictures against time, too; default on");
+  command
+      ->add_option("--images", options->parts,
+                   "Measure the error of pictures against time, too, or nothing else; default on: "
+                   "of the scenes given, or of spd:balls and spd:teapot")
+      ->transform(CLI::CheckedTransformer(parts_by_name).description(""))
+      ->type_name("on|off|only");
   add_picture_size(*command, "--size", options->size)
       ->description("Pixels of those pictures; default 128x128");
-  command->add_option("-o", options->folder, "Folder for error.csv, error.json and error.html")
+  command
+      ->add_option("-o", options->folder,
+                   "Folder for error.html, error.json, error.csv and images.csv")
       ->type_name("DIR");
   add_json(*command, options->json);
   command->callback([options, threads, &run] {

@@ -66,6 +66,12 @@ double rel_mse(const Image& image, const Image& reference) {
                    [](double a, double r) { return (a - r) * (a - r) / (r * r + dark); });
 }
 
+ImageBias image_bias(const Image& image, const Image& whole) {
+  return {mean_over(image, whole, [](double a, double b) { return a - b; }),
+          mean_over(image, whole, [](double a, double b) { return std::abs(a - b); }),
+          rmse(image, whole)};
+}
+
 std::optional<double> samples_for(const ImageErrorCurve& curve, double rmse) {
   return interpolated(curve, rmse_of, rmse, samples_of);
 }
@@ -78,22 +84,18 @@ std::optional<double> rmse_after(const ImageErrorCurve& curve, double seconds) {
   return interpolated(curve, seconds_of, seconds, rmse_of);
 }
 
-std::vector<ImageErrorMatch> match(const ImageErrorCurve& curve, const ImageErrorCurve& base) {
-  std::vector<ImageErrorMatch> matches;
-  for (const ImageErrorPoint& point : curve.points) {
-    const auto samples = samples_for(base, point.rmse);
-    const auto seconds = seconds_for(base, point.rmse);
-    const auto error = rmse_after(base, point.seconds.median);
-    if (!samples || !seconds || !error) continue;
-    matches.push_back({.name = point.name,
-                       .rmse = point.rmse,
-                       .samples = point.samples_per_pixel,
-                       .base_samples = *samples,
-                       .seconds = point.seconds.median,
-                       .base_seconds = *seconds,
-                       .base_rmse = *error});
-  }
-  return matches;
+std::optional<ImageErrorMatch> match(const ImageErrorPoint& point, const ImageErrorCurve& base) {
+  const auto samples = samples_for(base, point.rmse);
+  const auto seconds = seconds_for(base, point.rmse);
+  const auto error = rmse_after(base, point.seconds.median);
+  if (!samples || !seconds || !error) return std::nullopt;
+  return ImageErrorMatch{.name = point.name,
+                         .rmse = point.rmse,
+                         .samples = point.samples_per_pixel,
+                         .base_samples = *samples,
+                         .seconds = point.seconds.median,
+                         .base_seconds = *seconds,
+                         .base_rmse = *error};
 }
 
 }  // namespace bspview

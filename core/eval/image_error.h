@@ -18,16 +18,30 @@ double rmse(const Image& image, const Image& reference);
 /// minimization"): errors in the dark weigh more.
 double rel_mse(const Image& image, const Image& reference);
 
+/// How far a picture is off another one on average, over pixels and channels, as shown.
+struct ImageBias {
+  double signed_mean = 0.0;
+  double absolute_mean = 0.0;
+  double root_mean_square = 0.0;
+  bool operator==(const ImageBias&) const = default;
+};
+ImageBias image_bias(const Image& image, const Image& whole);
+
+/// What the bias of adaptive sampling stays below on the standard scenes, in thresholds. See
+/// adaptive.h.
+inline constexpr ImageBias adaptive_bias_bound{0.1, 0.5, 1.0};
+
 /// Which pictures of a scene are compared, and how often they are timed.
 struct ImageErrorParams {
   RenderParams render;           ///< size, ray depth, traversal, threads; the rest is replaced
   int reference_samples = 1024;  ///< rays a pixel of the converged picture: uniform, no cut-off
-  std::vector<int> samples{1, 2, 4, 8, 16, 32, 64, 128};                ///< of uniform sampling
-  std::vector<float> thresholds{0.04f, 0.02f, 0.01f, 0.005f, 0.0025f};  ///< of adaptive sampling
-  int adaptive_samples = 256;                                           ///< most rays a pixel there
+  std::vector<int> samples{1, 2, 4, 8, 16, 32, 64, 128};       ///< of uniform sampling
+  std::vector<float> thresholds{0.04f, 0.02f, 0.01f, 0.005f};  ///< of adaptive sampling
+  int adaptive_samples = 256;                                  ///< most rays a pixel there
   std::vector<float> cutoffs{0.002f, 0.01f, 0.05f};  ///< each with uniform sampling; 0 comes anyway
+  std::vector<int> cutoff_samples{4, 16, 64};        ///< there
   int repeats = 9;                                   ///< of each picture, interleaved
-  double patience = 4.0;  ///< a picture is not repeated once its repeats took so many seconds
+  int timing_threads = 1;                            ///< as for time_run
 };
 
 /// One way to make the picture, what it cost and how wrong it was.
@@ -38,6 +52,8 @@ struct ImageErrorPoint {
   Measured seconds;                ///< its repeats say how often it was timed
   double rmse = 0.0;
   double rel_mse = 0.0;
+  /// Against the picture with params.samples in every pixel and every ray shot.
+  ImageBias bias;
 };
 
 /// Points of one method, from the least to the most samples a pixel.
@@ -73,7 +89,7 @@ struct ImageErrorMatch {
   double rmse_ratio() const { return rmse / base_rmse; }
 };
 
-/// Every point of `curve` whose rmse and seconds both lie within those of `base`.
-std::vector<ImageErrorMatch> match(const ImageErrorCurve& curve, const ImageErrorCurve& base);
+/// nullopt where the rmse or the seconds of the point lie beyond those of `base`.
+std::optional<ImageErrorMatch> match(const ImageErrorPoint& point, const ImageErrorCurve& base);
 
 }  // namespace bspview

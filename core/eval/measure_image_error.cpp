@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
-#include "core/base/timer.h"
+#include "core/base/run_time.h"
 #include "core/eval/image_error.h"
 
 namespace bspview {
@@ -19,7 +21,7 @@ RenderParams plain_picture(const ImageErrorParams& params, int samples) {
 
 std::vector<RenderParams> uniform_pictures(const ImageErrorParams& params, float cutoff) {
   std::vector<RenderParams> pictures;
-  for (const int samples : params.samples) {
+  for (const int samples : cutoff > 0.0f ? params.cutoff_samples : params.samples) {
     pictures.push_back(plain_picture(params, samples));
     pictures.back().cutoff = cutoff;
   }
@@ -58,6 +60,10 @@ std::vector<ImageErrorCurve> planned_curves(const ImageErrorParams& params) {
   return curves;
 }
 
+bool is_whole(const RenderParams& picture) {
+  return picture.adaptive == 0.0f && picture.cutoff == 0.0f;
+}
+
 /// Measures the points of planned curves; once a stop is requested it does nothing.
 class Experiment {
  public:
@@ -65,37 +71,42 @@ class Experiment {
              const Watch& watch)
       : world_(world), camera_(camera), params_(params), watch_(watch) {}
 
-  /// Work is told in samples: those of the converged picture and of every picture of every run.
+  /// Work is told in samples: those of every picture of every run.
   void plan(const std::vector<ImageErrorCurve>& curves) {
-    work_ = params_.reference_samples;
+    std::set<int> wholes{params_.reference_samples};
     for (const ImageErrorCurve& curve : curves) {
       for (const ImageErrorPoint& point : curve.points) {
-        work_ += point.params.samples * (1.0 + params_.repeats);
+        const int runs = params_.repeats + (is_whole(point.params) ? 0 : 1);
+        work_ += static_cast<double>(point.params.samples) * runs;
+        wholes.insert(point.params.samples);
       }
     }
-  }
-
-  void make_reference() {
-    const RenderParams converged = plain_picture(params_, params_.reference_samples);
-    if (auto image = render_image(world_, camera_, converged, part(converged)); image) {
-      reference_ = std::move(*image);
-    }
+    for (const int samples : wholes) work_ += samples;
   }
 
   void compare(ImageErrorPoint& point) {
+    const Image* reference = whole(params_.reference_samples);
+    const Image* same_samples = whole(point.params.samples);
+    if (reference == nullptr || same_samples == nullptr) return;
+    const auto judge = [&](const Image& image) {
+      point.rmse = rmse(image, *reference);
+      point.rel_mse = rel_mse(image, *reference);
+      point.bias = image_bias(image, *same_samples);
+    };
+    point.samples_per_pixel = point.params.samples;
+    if (is_whole(point.params)) return judge(*same_samples);
     const auto picture = render_counted(world_, camera_, point.params, part(point.params));
     if (!picture) return;
+    judge(picture->image);
     point.samples_per_pixel = static_cast<double>(picture->counts.primary) /
                               static_cast<double>(picture->image.pixels.size());
-    point.rmse = rmse(picture->image, reference_);
-    point.rel_mse = rel_mse(picture->image, reference_);
   }
 
   /// Repeats are interleaved, so that what slows the machine down for a while slows all.
   void time(std::vector<ImageErrorCurve>& curves) {
     std::vector<Clock> clocks;
     for (ImageErrorCurve& curve : curves) {
-      for (ImageErrorPoint& point : curve.points) clocks.push_back({&point, {}, 0.0});
+      for (ImageErrorPoint& point : curve.points) clocks.push_back({&point, {}});
     }
     for (int repeat = 0; repeat < params_.repeats; ++repeat) {
       for (Clock& clock : clocks) time_once(clock);
@@ -107,17 +118,24 @@ class Experiment {
   struct Clock {
     ImageErrorPoint* point;
     std::vector<double> seconds;  // of each repeat
-    double spent = 0.0;           // their sum
   };
 
   void time_once(Clock& clock) {
-    const RenderParams& picture = clock.point->params;
+    RenderParams picture = clock.point->params;
+    picture.threads = params_.timing_threads;
     const Watch watch = part(picture);
-    if (clock.spent > params_.patience) return watch.advance(1.0);
-    const Timer timer;
-    if (!render_image(world_, camera_, picture, watch)) return;
-    clock.seconds.push_back(timer.seconds());
-    clock.spent += clock.seconds.back();
+    bool done = false;
+    const double seconds = time_run(
+        params_.timing_threads, [&] { done = render_image(world_, camera_, picture, watch).ok(); });
+    if (done) clock.seconds.push_back(seconds);
+  }
+
+  /// The picture with as many samples in every pixel and every ray shot; null: stopped.
+  const Image* whole(int samples) {
+    if (const auto made = wholes_.find(samples); made != wholes_.end()) return &made->second;
+    const RenderParams picture = plain_picture(params_, samples);
+    auto image = render_image(world_, camera_, picture, part(picture));
+    return image ? &wholes_.emplace(samples, std::move(*image)).first->second : nullptr;
   }
 
   /// For one picture, whose progress is a share of that of all.
@@ -132,7 +150,7 @@ class Experiment {
   const Camera& camera_;
   const ImageErrorParams& params_;
   const Watch& watch_;
-  Image reference_;
+  std::map<int, Image> wholes_;  // by samples a pixel
   double work_ = 0.0;
 };
 
@@ -144,7 +162,6 @@ Result<std::vector<ImageErrorCurve>> measure_image_error(const World& world, con
   std::vector<ImageErrorCurve> curves = planned_curves(params);
   Experiment experiment(world, camera, params, watch);
   experiment.plan(curves);
-  experiment.make_reference();
   for (ImageErrorCurve& curve : curves) {
     for (ImageErrorPoint& point : curve.points) experiment.compare(point);
   }

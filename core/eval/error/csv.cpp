@@ -36,8 +36,7 @@ void add_pool(std::string& csv, std::string_view name, const ErrorReport& report
 
 }  // namespace
 
-std::string to_csv(const ErrorStudy& study) {
-  const ErrorReport& report = study.rays;
+std::string to_csv(const ErrorReport& report) {
   std::string csv =
       "scenes,configuration,faces,quadrics,traversal,tree,offset,ns_per_ray,ns_per_ray_mad,"
       "rays,lost,phantom,undecided,aimed_rays,aimed_lost,aimed_phantom,aimed_undecided,leaks,"
@@ -46,6 +45,28 @@ std::string to_csv(const ErrorStudy& study) {
   add_pool(csv, "triangles", report, pool_of_triangles(report));
   for (std::size_t i = 0; i < report.scenes.size(); ++i) {
     add_pool(csv, report.scenes[i].name, report, pool(report, {i}));
+  }
+  return csv;
+}
+
+std::string to_csv(std::span<const SceneImageError> images) {
+  std::string csv =
+      "scene,width,height,reference_samples,method,samples,threshold,cutoff,samples_per_pixel,"
+      "seconds,seconds_spread,repeats,rmse,rel_mse,bias_signed,bias_absolute,bias_rms\n";
+  for (const SceneImageError& image : images) {
+    for (const ImageErrorCurve& curve : image.curves) {
+      for (const ImageErrorPoint& point : curve.points) {
+        csv += fmt::format("{},{},{},{},{}", quoted(image.scene), image.params.render.width,
+                           image.params.render.height, image.params.reference_samples,
+                           quoted(curve.name));
+        csv += fmt::format(",{},{},{},{:.3f}", point.params.samples, point.params.adaptive,
+                           point.params.cutoff, point.samples_per_pixel);
+        csv += fmt::format(",{:.6f},{:.6f},{},{:.6g},{:.6g}", point.seconds.median,
+                           point.seconds.spread, point.seconds.repeats, point.rmse, point.rel_mse);
+        csv += fmt::format(",{:.4g},{:.4g},{:.4g}\n", point.bias.signed_mean,
+                           point.bias.absolute_mean, point.bias.root_mean_square);
+      }
+    }
   }
   return csv;
 }

@@ -11,14 +11,14 @@ namespace {
 constexpr std::string_view page_style = R"(
 body{margin:0 auto;padding:32px 24px 64px;max-width:1180px;color:#1c1c1e;background:#fff;
 font:15px/1.5 system-ui,"DejaVu Sans",sans-serif}
-h1{font-size:26px;margin:0 0 4px}h2{font-size:19px;margin:44px 0 6px}h3{font-size:15px;margin:28px 0 4px}
-p{margin:6px 0;max-width:78ch}.verdict{font-size:18px;line-height:1.45;margin:18px 0 10px}
+h1{font-size:26px;margin:0 0 4px}h2{font-size:19px;margin:44px 0 6px}h3{font-size:16px;margin:36px 0 4px}h4{font-size:14px;margin:22px 0 2px}
+p{margin:6px 0;max-width:78ch}.verdict{font-size:16px;margin:10px 0}
 .quiet,caption,dt,figcaption{color:#6b6b70}.keys{margin:14px 0}.keys span{margin-right:20px;white-space:nowrap}
 .key{display:inline-block;width:10px;height:10px;border-radius:5px;margin-right:6px}
 .plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(500px,1fr));gap:26px 34px;margin:18px 0}
 figure{margin:0}figcaption{font-size:13px}
 .wide{overflow-x:auto}table{border-collapse:collapse;font-size:13px;font-variant-numeric:tabular-nums}
-caption{text-align:left;padding-bottom:6px}th{font-weight:600}th,td{padding:3px 12px;text-align:right;
+caption{text-align:left;padding-bottom:6px}th{font-weight:600}th,td{padding:3px 9px;text-align:right;
 white-space:nowrap;border-bottom:1px solid #ececef}th:first-child,td:first-child{text-align:left;padding-left:0}
 tr.own td{font-weight:600}dt{margin-top:8px}dd{margin:0;max-width:78ch}
 @media (prefers-color-scheme:dark){body{color:#f2f2f4;background:#161618}th,td{border-color:#2e2e33}
@@ -60,8 +60,8 @@ std::string keys() {
 
 std::string section_of_rays(const ErrorReport& report) {
   const ErrorPool all = pool_of_all(report), triangles = pool_of_triangles(report);
-  std::string html = "<h2>Run time against error</h2>\n<p class=\"quiet\">" +
-                     scenes_of(report, all) + "</p>\n" + keys() + plots(report, all, all_metrics);
+  std::string html = "<h2>Rays</h2>\n<p class=\"quiet\">" + scenes_of(report, all) + "</p>\n" +
+                     keys() + plots(report, all, all_metrics);
   if (!triangles.configs.empty()) {
     html +=
         "<h2>Scenes of triangles only</h2>\n<p class=\"quiet\">" + scenes_of(report, triangles) +
@@ -81,22 +81,20 @@ std::string section_of_rays(const ErrorReport& report) {
 std::string section_of_images(const ErrorStudy& study) {
   if (study.images.empty()) return "";
   std::string html =
-      "<h2>Error of the picture against time</h2>\n<p>RMSE and relMSE against a converged picture, "
-      "for uniform sampling, adaptive sampling and rays cut off where they count for little.</p>\n";
+      "<h2>Pictures</h2>\n<p>Error against a converged picture: uniform sampling, adaptive "
+      "sampling "
+      "(--adaptive), and rays left out where they count for little (--cutoff).</p>\n";
   for (const SceneImageError& image : study.images) html += image_section(image);
   return html;
 }
 
-std::string section_of_method(const ErrorReport& report) {
-  const Machine& machine = report.machine;
+std::string method_of_rays(const ErrorReport& report) {
   std::string factors;
   for (const Factor factor : report.strongest_factors) {
     factors += fmt::format("{}{}", factors.empty() ? "" : ", ", name_of(factor));
   }
   return fmt::format(
-      R"(<h2>How it was measured</h2>
-<dl>
-<dt>Rays</dt><dd>Recorded once a scene, the same bits for every configuration: those of a picture
+      R"(<dt>Rays</dt><dd>Recorded once a scene, the same bits for every configuration: those of a picture
 (primary, shadow, reflected, refracted), one in a random direction from every primary hit, shuffled
 (scattered), and in scenes of triangles rays aimed at random points of edges and at vertices; at most
 {} of each. All of them are judged.</dd>
@@ -111,35 +109,50 @@ from the surface than 16 ulp of the largest coordinate.</dd>
 <dt>Error of t</dt><dd>Of right hits, in ulp of float of the exact t. The kernels of the default keep t
 in double.</dd>
 <dt>Time</dt><dd>Median of {} repeats over all rays that are not aimed, interleaved A B C A B C over all
-configurations; bars show the median absolute deviation (MAD). {}.</dd>
+configurations, {}; bars show the median absolute deviation (MAD).</dd>
 <dt>Pareto front</dt><dd>A configuration is on it when none without a larger error is faster by more than
 twice the MAD. Its knee lies farthest below the straight line between its ends, in logarithms; of two
 points it is the one whose gain in error exceeds its loss of time.</dd>
 <dt>Configurations</dt><dd>One factor at a time from a fast anchor (textbook float, Havran's traversal,
 t_min = 1e-4) and from the default; then every combination of the three factors that move time and
 errors most: {}.</dd>
-<dt>Machine</dt><dd>{}, {} cores, {}, {}, bspview {}</dd>
-</dl>
 )",
-      report.params.rays, report.params.repeats,
-      report.params.timing_threads == 1
-          ? "Processor time of one thread"
-          : fmt::format("Wall-clock time of {} threads", report.params.timing_threads),
-      factors, escape_markup(machine.cpu), machine.cores, machine.simd, machine.compiler,
-      machine.version);
+      report.params.rays, report.params.repeats, clock_text(report.params.timing_threads), factors);
+}
+
+std::string method_of_images() {
+  return R"(<dt>Pictures</dt><dd>RMSE is over pixels and channels of the colours as shown, from 0 to 1; relMSE
+divides each squared difference by that of the reference plus 0.01 (Rousselle et al. 2011). The converged
+picture has uniform samples and every ray. Between measured pictures, curves are straight lines in
+logarithms.</dd>
+)";
+}
+
+std::string section_of_method(const ErrorStudy& study) {
+  const Machine& machine = study.rays.machine;
+  return "<h2>How it was measured</h2>\n<dl>\n" +
+         (study.rays.scenes.empty() ? "" : method_of_rays(study.rays)) +
+         (study.images.empty() ? "" : method_of_images()) +
+         fmt::format("<dt>Machine</dt><dd>{}, {} cores, {}, {}, bspview {}</dd>\n</dl>\n",
+                     escape_markup(machine.cpu), machine.cores, machine.simd, machine.compiler,
+                     machine.version);
 }
 
 }  // namespace
 
 std::string to_html(const ErrorStudy& study) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n"
-         "<title>bspview: run time against error</title>\n<style>" +
-         std::string(page_style) + plot_style() + "</style>\n</head>\n<body>\n" +
-         "<h1>Run time against error</h1>\n<p class=\"verdict\">" + escape_markup(verdict(study)) +
-         "</p>\n" + section_of_rays(study.rays) + section_of_images(study) +
-         section_of_method(study.rays) + "</body>\n</html>\n";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n"
+      "<title>bspview: run time against error</title>\n<style>" +
+      std::string(page_style) + plot_style() + "</style>\n</head>\n<body>\n" +
+      "<h1>Run time against error</h1>\n";
+  for (const std::string& sentence : verdict(study)) {
+    html += "<p class=\"verdict\">" + escape_markup(sentence) + "</p>\n";
+  }
+  if (!study.rays.scenes.empty()) html += section_of_rays(study.rays);
+  return html + section_of_images(study) + section_of_method(study) + "</body>\n</html>\n";
 }
 
 }  // namespace bspview

@@ -129,20 +129,18 @@ Json image_json(const SceneImageError& image) {
                         {"seconds_spread", point.seconds.spread},
                         {"repeats", point.seconds.repeats},
                         {"rmse", point.rmse},
-                        {"rel_mse", point.rel_mse}});
+                        {"rel_mse", point.rel_mse},
+                        {"bias_signed", point.bias.signed_mean},
+                        {"bias_absolute", point.bias.absolute_mean},
+                        {"bias_rms", point.bias.root_mean_square}});
     }
     json["curves"].push_back({{"name", curve.name}, {"points", std::move(points)}});
   }
   return json;
 }
 
-}  // namespace
-
-std::string to_json(const ErrorStudy& study) {
-  const ErrorReport& report = study.rays;
+void add_rays(Json& json, const ErrorReport& report) {
   const ErrorParams& params = report.params;
-  const Machine& machine = report.machine;
-  Json json{{"verdict", verdict(study)}};
   json["parameters"] = {{"rays", params.rays},
                         {"repeats", params.repeats},
                         {"timing_threads", params.timing_threads},
@@ -157,8 +155,16 @@ std::string to_json(const ErrorStudy& study) {
   json["triangles"] = pool_json(report, pool_of_triangles(report));
   json["price"] = price_json(report);
   for (const SceneErrors& scene : report.scenes) json["scenes"].push_back(scene_json(scene));
+}
+
+}  // namespace
+
+std::string to_json(const ErrorStudy& study) {
+  Json json{{"verdict", fmt::format("{}", fmt::join(verdict(study), " "))}};
+  if (!study.rays.scenes.empty()) add_rays(json, study.rays);
   json["images"] = Json::array();
   for (const SceneImageError& image : study.images) json["images"].push_back(image_json(image));
+  const Machine& machine = study.rays.machine;
   json["machine"] = {{"cpu", machine.cpu},
                      {"cores", machine.cores},
                      {"simd", machine.simd},

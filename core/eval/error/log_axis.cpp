@@ -8,19 +8,28 @@
 namespace bspview {
 namespace {
 
-std::string power_text(int power) {
-  if (power >= -3 && power <= 3) return fmt::format("{:g}", std::pow(10.0, power));
-  return fmt::format("10<tspan dy=\"-5\" class=\"power\">{}</tspan>", power);
+/// `factor` times the power of ten.
+std::string power_text(int factor, int power) {
+  if (power >= -3 && power <= 3) return fmt::format("{:g}", factor * std::pow(10.0, power));
+  const std::string times = factor == 1 ? "" : fmt::format("{} × ", factor);
+  return fmt::format("{}10<tspan dy=\"-5\" class=\"power\">{}</tspan>", times, power);
 }
 
+/// Powers of ten; on a short axis their doubles and fivefolds, too.
 std::vector<Tick> powers(double lo, double hi) {
-  const int first = static_cast<int>(std::ceil(std::log10(lo) - 1e-9));
+  const int first = static_cast<int>(std::floor(std::log10(lo) + 1e-9));
   const int last = static_cast<int>(std::floor(std::log10(hi) + 1e-9));
   const int step = std::max(1, (last - first + 7) / 8);
+  const bool is_short = hi / lo < 2e3;
   std::vector<Tick> ticks;
   for (int power = first; power <= last; ++power) {
     const bool is_named = ((power % step) + step) % step == 0;
-    ticks.push_back({std::pow(10.0, power), is_named ? power_text(power) : ""});
+    for (const int factor : {1, 2, 5}) {
+      const double value = factor * std::pow(10.0, power);
+      if (value < lo * (1.0 - 1e-9) || value > hi * (1.0 + 1e-9)) continue;
+      if (factor == 1 || is_short)
+        ticks.push_back({value, is_named ? power_text(factor, power) : ""});
+    }
   }
   return ticks;
 }

@@ -17,8 +17,8 @@ struct LogAxis {
   double from = 0.0, to = 1.0;
 
   double place(double value) const;
-  /// Between four and ten, at round numbers: powers of ten on a long axis, even steps on a short
-  /// one.
+  /// Between two and ten, at round numbers: powers of ten on a long axis, with their doubles and
+  /// fivefolds on one of up to three, even steps on one of less than one.
   std::vector<Tick> ticks() const;
 };
 

@@ -32,14 +32,10 @@ PlotPoint mark(const ErrorConfig& config, const PooledConfig& measured, const Es
   return point;
 }
 
-std::string front_sentence(const ErrorReport& report, const ErrorPool& pool, const TradeOffs& all,
-                           std::size_t knee) {
-  const auto name = [&](std::size_t i) {
-    return escape_markup(report.configs[pool.configs[all.members[i]].config].name);
-  };
-  const PooledConfig& config = pool.configs[all.members[knee]];
-  return fmt::format("Knee: <b>{}</b>, {:.0f} ns, {}.", name(knee), config.ns,
-                     escape_markup(format_estimate(all.errors[knee])));
+std::string knee_sentence(const std::string& name, const PooledConfig& config,
+                          const Estimate& error, std::string_view unit) {
+  return fmt::format("Knee of the front: <b>{}</b>, {:.0f} ns per ray, {} {}.", escape_markup(name),
+                     config.ns, escape_markup(format_estimate(error)), unit);
 }
 
 std::string cell(const std::string& text) {
@@ -76,8 +72,11 @@ std::string trade_off_figure(const ErrorReport& report, const ErrorPool& pool, M
     plot.lines.front().points.emplace_back(all.points[i].time, all.errors[i].value);
   }
   plot.points[*knee].label += " (knee)";
+  const PooledConfig& at_knee = pool.configs[all.members[*knee]];
   return "<figure>\n" + draw_plot(plot) + "<figcaption>" +
-         front_sentence(report, pool, all, *knee) + "</figcaption>\n</figure>\n";
+         knee_sentence(report.configs[at_knee.config].name, at_knee, all.errors[*knee],
+                       text_of(metric).unit) +
+         "</figcaption>\n</figure>\n";
 }
 
 std::string pool_table_html(const ErrorReport& report, const ErrorPool& pool,

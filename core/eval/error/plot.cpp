@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -29,16 +30,18 @@ struct Spot {
   double dx, dy;
   const char* anchor;
 };
-constexpr std::array<Spot, 10> spots{{{9, 4, "start"},
+constexpr std::array<Spot, 12> spots{{{9, 4, "start"},
                                       {-9, 4, "end"},
                                       {0, -9, "middle"},
                                       {0, 19, "middle"},
-                                      {8, -8, "start"},
+                                      {8, -9, "start"},
                                       {8, 16, "start"},
-                                      {-8, -8, "end"},
+                                      {-8, -9, "end"},
                                       {-8, 16, "end"},
                                       {0, -22, "middle"},
-                                      {0, 32, "middle"}}};
+                                      {0, 32, "middle"},
+                                      {14, -24, "start"},
+                                      {14, 34, "start"}}};
 
 Box label_box(const std::string& text, double x, double y, const Spot& spot) {
   const double length = letter_width * static_cast<double>(text.size());
@@ -53,10 +56,20 @@ class Labels {
  public:
   void block(const Box& box) { taken_.push_back(box); }
 
-  /// The first spot around (x, y) that is free, now taken; faint labels only stand beside theirs.
+  /// Blocks a line, with the dots that it is covered by.
+  void block_line(double x0, double y0, double x1, double y1) {
+    constexpr double step = 6.0, clear = 2.0;
+    const int dots = 1 + static_cast<int>(std::hypot(x1 - x0, y1 - y0) / step);
+    for (int i = 0; i <= dots; ++i) {
+      const double x = std::lerp(x0, x1, i / double(dots)), y = std::lerp(y0, y1, i / double(dots));
+      block({x - clear, y - clear, x + clear, y + clear});
+    }
+  }
+
+  /// The first spot around (x, y) that is free, now taken; faint labels stand close to theirs.
   std::optional<Spot> find(const PlotPoint& point, double x, double y) {
     const std::string& text = point.label;
-    for (const Spot& spot : std::span(spots).first(point.strong ? spots.size() : 2)) {
+    for (const Spot& spot : std::span(spots).first(point.strong ? spots.size() : 4)) {
       const Box box = label_box(text, x, y, spot);
       const bool inside =
           box.x0 > left && box.x1 < width - 2.0 && box.y0 > top - 10.0 && box.y1 < height - bottom;
@@ -79,7 +92,7 @@ double largest_drawn(const Plot& plot) {
   for (const PlotPoint& point : plot.points) xs.push_back(point.x);
   if (xs.empty()) return 1.0;
   std::ranges::sort(xs);
-  const double most = 1.6 * xs[xs.size() / 2];
+  const double most = plot.farthest * xs[xs.size() / 2];
   return *std::prev(std::ranges::upper_bound(xs, most));
 }
 
@@ -93,7 +106,8 @@ class Drawing {
       ys.push_back(point.y);
     }
     x_ = fit_axis(xs, left, width - right);
-    y_ = whole_decades(fit_axis(ys, height - bottom, top));
+    y_ = fit_axis(ys, height - bottom, top);
+    if (plot.whole_decades) y_ = whole_decades(y_);
   }
 
   std::string svg() {
@@ -143,8 +157,12 @@ class Drawing {
 
   void draw_line(const PlotLine& line) {
     std::string path;
+    std::pair last(0.0, 0.0);
     for (const auto& [x, y] : line.points) {
-      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x_.place(x), y_.place(y));
+      const std::pair next(x_.place(x), y_.place(y));
+      if (!path.empty()) labels_.block_line(last.first, last.second, next.first, next.second);
+      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", next.first, next.second);
+      last = next;
     }
     text_ += fmt::format("<path class=\"line {}\" d=\"{}\"/>\n", line.kind, path);
   }
@@ -158,8 +176,10 @@ class Drawing {
                            point.kind, x, y);
     }
     const double from = x_.place(std::max(x_.lo, point.x - point.x_spread));
+    const double to = x_.place(std::min(x_.hi, point.x + point.x_spread));
+    labels_.block_line(from, y, to, y);
     text_ += fmt::format("<path class=\"spread {}\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", point.kind,
-                         from, y, std::min(width - right, x_.place(point.x + point.x_spread)));
+                         from, y, to);
     text_ += fmt::format(
         "<circle class=\"{} {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"><title>{}"
         "</title></circle>\n",
@@ -263,12 +283,15 @@ std::string plot_style() {
          ".open,.ring,.line,.spread{fill:none;stroke-width:1.6}.spread{stroke-width:1}\n"
          ".ring{stroke-width:1.4}.line{stroke-width:1.3;stroke-linejoin:round}\n"
          ".line.front{stroke-dasharray:5 4}\n"
-         ".grid{stroke-width:1;fill:none}.axis{stroke-width:1;fill:none}.label{font-size:11px}\n"
-         ".title,.label{fill:#1c1c1e}.faint,.tick,.unit{fill:#6b6b70}.grid{stroke:#ececef}"
+         ".grid{stroke-width:1;fill:none}.axis{stroke-width:1;fill:none}.label{font-size:11px;"
+         "paint-order:stroke;stroke-width:3px;stroke-linejoin:round}\n"
+         ".title,.label{fill:#1c1c1e}.label{stroke:#fff}.faint,.tick,.unit{fill:#6b6b70}.grid{"
+         "stroke:#ececef}"
          ".axis,.line.front{stroke:#8a8a90}\n" +
          light +
          "@media (prefers-color-scheme:dark){\n"
-         ".title,.label{fill:#f2f2f4}.faint,.tick,.unit{fill:#a0a0a6}.grid{stroke:#2e2e33}"
+         ".title,.label{fill:#f2f2f4}.label{stroke:#161618}.faint,.tick,.unit{fill:#a0a0a6}.grid{"
+         "stroke:#2e2e33}"
          ".axis,.line.front{stroke:#77777d}\n" +
          dark + "}\n";
 }

@@ -23,10 +23,13 @@ struct PlotLine {
   std::string kind;
 };
 
-/// Both axes in logarithms. A few points far to the right of the others are named below the plot
-/// instead of pressing these together.
+/// Both axes in logarithms.
 struct Plot {
   std::string title, x_title, y_title;
+  /// A few points farther to the right than so many times the median are named below the plot
+  /// instead of pressing the others together.
+  double farthest = 1.6;
+  bool whole_decades = true;  ///< of the y axis
   std::vector<PlotPoint> points;
   std::vector<PlotLine> lines;
 };

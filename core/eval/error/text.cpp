@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/eval/error/image_tables.h"
 #include "core/eval/error/report.h"
 
 namespace bspview {
@@ -79,20 +80,30 @@ std::string price_table(const ErrorReport& report) {
   return text;
 }
 
-std::string image_tables(const ErrorStudy& study) {
+std::string aligned(const ImageTable& table) {
+  std::vector<std::size_t> widths;
+  for (const std::string& head : table.heads) widths.push_back(head.size());
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text =
+      fmt::format("\n  {}{}{}\n", table.title, table.caption.empty() ? "" : ". ", table.caption);
+  const auto add = [&](const std::vector<std::string>& row) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += fmt::format("{:>{}}", row[i], widths[i] + 2);
+    }
+    text += "\n";
+  };
+  add(table.heads);
+  for (const auto& row : table.rows) add(row);
+  return text;
+}
+
+std::string images_text(const ErrorStudy& study) {
   std::string text;
   for (const SceneImageError& image : study.images) {
-    text += heading(fmt::format("Picture of {}, {} x {} pixels", image.scene,
-                                image.params.render.width, image.params.render.height));
-    text += fmt::format("  {:<16} {:<18} {:>9} {:>10} {:>10} {:>10}\n", "", "", "samples",
-                        "seconds", "RMSE", "relMSE");
-    for (const ImageErrorCurve& curve : image.curves) {
-      for (const ImageErrorPoint& point : curve.points) {
-        text += fmt::format("  {:<16} {:<18} {:>9.2f} {:>10.4f} {:>10.3g} {:>10.3g}\n", curve.name,
-                            point.name, point.samples_per_pixel, point.seconds.median, point.rmse,
-                            point.rel_mse);
-      }
-    }
+    text += heading(fmt::format("Picture of {}: {}", image.scene, how_measured(image.params)));
+    for (const ImageTable& table : image_tables(image)) text += aligned(table);
   }
   return text;
 }
@@ -111,10 +122,21 @@ std::string introduction(const ErrorReport& report) {
       "strongest factors, measured in every combination: {}\n"
       "per million; \"< x\": none found, so fewer than x with 95 % certainty (3 / N)\n",
       report.configs.size(), report.scenes.size(), rays, report.params.repeats,
-      report.params.timing_threads == 1
-          ? "one thread, its processor time"
-          : fmt::format("{} threads, wall-clock time", report.params.timing_threads),
-      factors);
+      clock_text(report.params.timing_threads), factors);
+}
+
+std::string rays_text(const ErrorReport& report) {
+  std::string text = introduction(report);
+  const ErrorPool all = pool_of_all(report);
+  text += heading("Scenes: " + scene_names(report, all.scenes));
+  text += pool_table(report, all, ordinary_columns);
+  text += heading("Pareto fronts, from the fastest on") + fronts(report, all, ordinary_columns);
+  if (const ErrorPool triangles = pool_of_triangles(report); !triangles.configs.empty()) {
+    text += heading("Scenes of triangles only: " + scene_names(report, triangles.scenes));
+    text += pool_table(report, triangles, triangle_columns);
+    text += heading("Pareto fronts there") + fronts(report, triangles, triangle_columns);
+  }
+  return text + price_table(report);
 }
 
 }  // namespace
@@ -128,43 +150,10 @@ std::string format_estimate(const std::optional<Estimate>& estimate) {
 }
 
 std::string to_text(const ErrorStudy& study) {
-  const ErrorReport& report = study.rays;
-  std::string text = introduction(report);
-  const ErrorPool all = pool_of_all(report);
-  text += heading("Scenes: " + scene_names(report, all.scenes));
-  text += pool_table(report, all, ordinary_columns);
-  text += heading("Pareto fronts, from the fastest on") + fronts(report, all, ordinary_columns);
-  if (const ErrorPool triangles = pool_of_triangles(report); !triangles.configs.empty()) {
-    text += heading("Scenes of triangles only: " + scene_names(report, triangles.scenes));
-    text += pool_table(report, triangles, triangle_columns);
-    text += heading("Pareto fronts there") + fronts(report, triangles, triangle_columns);
-  }
-  text += price_table(report) + image_tables(study);
-  return text + "\n" + verdict(study) + "\n";
-}
-
-std::string verdict(const ErrorStudy& study) {
-  const ErrorReport& report = study.rays;
-  const ErrorPool all = pool_of_all(report);
-  const auto find = [&](std::size_t config) {
-    return *std::ranges::find(all.configs, config, &PooledConfig::config);
-  };
-  const auto wrong = [](const ErrorCounts& counts) {
-    return counts.ordinary().wrong() + counts.aimed().wrong();
-  };
-  const auto& own = find(default_config);
-  const auto& fastest = find(price_of_default(report).fastest);
-  const std::uint64_t rays = own.counts.ordinary().rays + own.counts.aimed().rays;
-  const double slower = own.ns / fastest.ns - 1.0;
-  return fmt::format(
-      "default: {} wrong of {:.3g} rays, {} acne, {} light leaks, {:.1f} % {} than the fastest in "
-      "float ({}), which gets {} rays wrong, {} acne and {} light leaks: {}.",
-      wrong(own.counts), static_cast<double>(rays), own.counts.offset.acne, own.counts.offset.leaks,
-      std::abs(100.0 * slower), slower >= 0.0 ? "slower" : "faster",
-      report.configs[fastest.config].name, wrong(fastest.counts), fastest.counts.offset.acne,
-      fastest.counts.offset.leaks,
-      wrong(own.counts) < wrong(fastest.counts) ? "keep the default"
-                                                : "float is as good on these rays");
+  std::string text = study.rays.scenes.empty() ? "" : rays_text(study.rays);
+  text += images_text(study) + "\n";
+  for (const std::string& sentence : verdict(study)) text += sentence + "\n";
+  return text;
 }
 
 }  // namespace bspview

@@ -1,11 +1,9 @@
 #include "core/eval/error/time.h"
 
-#include <time.h>
-
 #include <algorithm>
 
 #include "core/base/parallel.h"
-#include "core/base/timer.h"
+#include "core/base/run_time.h"
 
 namespace bspview {
 namespace {
@@ -24,21 +22,7 @@ void trace(const BoundKernel& kernel, RayGroup group, std::span<const Ray> rays)
   }
 }
 
-std::optional<double> processor_seconds() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
-  timespec now{};
-  if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) == 0) {
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  }
-#endif
-  return std::nullopt;
-}
-
 }  // namespace
-
-bool has_processor_time() {
-  return processor_seconds().has_value();
-}
 
 double time_rays(const BoundKernel& kernel, const RayBatch& batch, int threads) {
   const std::span rays(batch.rays);
@@ -48,19 +32,10 @@ double time_rays(const BoundKernel& kernel, const RayBatch& batch, int threads) 
   };
   const std::size_t chunks = (rays.size() + rays_a_chunk - 1) / rays_a_chunk;
   if (chunks > 0) trace_chunk(0);
-  if (threads == 1 && has_processor_time()) {
-    const double start = *processor_seconds();
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) trace_chunk(chunk);
-    return *processor_seconds() - start;
-  }
-  double seconds = 0.0;
-  with_threads(threads, [&] {
-    const Timer timer;
+  return time_run(threads, [&] {
     parallel_for(static_cast<int>(chunks),
                  [&](int i) { trace_chunk(static_cast<std::size_t>(i)); });
-    seconds = timer.seconds();
   });
-  return seconds;
 }
 
 }  // namespace bspview

@@ -19,6 +19,7 @@ struct SmallWorld {
     params.thresholds = {0.01f, 0.5f};
     params.adaptive_samples = 16;
     params.cutoffs = {0.01f};
+    params.cutoff_samples = {4, 1};
     params.repeats = 2;
   }
   auto measure(const Watch& watch = {}) const {
@@ -63,24 +64,29 @@ TEST(MeasureImageError, PointsSayHowTheirPictureIsMade) {
   EXPECT_FALSE(cut.spd_rules);
 }
 
-TEST(MeasureImageError, WithoutPatienceNothingIsRepeated) {
-  SmallWorld small;
-  small.params.patience = 0.0;
-  for (const ImageErrorCurve& curve : *small.measure()) {
-    for (const ImageErrorPoint& point : curve.points) EXPECT_EQ(point.seconds.repeats, 1);
-  }
-}
-
 TEST(MeasureImageError, ProgressAddsUpToOne) {
   SmallWorld small;
   small.params.render.threads = 1;
-  for (const double patience : {0.0, 100.0}) {
-    small.params.patience = patience;
+  for (const int repeats : {0, 3}) {
+    small.params.repeats = repeats;
     double done = 0.0;
     Watch watch;
     watch.progress = [&](double more) { done += more; };
     ASSERT_TRUE(small.measure(watch).ok());
     EXPECT_NEAR(done, 1.0, 1e-9);
+  }
+}
+
+TEST(MeasureImageError, BiasIsAgainstThePictureWithEverySampleAndRay) {
+  SmallWorld small;
+  small.params.thresholds = {0.5f, 1e-9f};
+  small.params.cutoffs = {0.2f};
+  const auto curves = small.measure();
+  for (const ImageErrorPoint& point : (*curves)[0].points) EXPECT_EQ(point.bias, ImageBias{});
+  const auto& adaptive = (*curves)[1].points;
+  EXPECT_GT(adaptive[0].bias.absolute_mean, adaptive[1].bias.absolute_mean);
+  for (const ImageErrorPoint& point : (*curves)[2].points) {
+    EXPECT_LT(point.bias.signed_mean, 0.0);  // light is lost
   }
 }
 
@@ -95,11 +101,11 @@ TEST(MeasureImageError, AStopEndsItWithoutAResult) {
 
 TEST(MeasureImageError, AdaptiveSamplingSavesThreeTenthsOfTheSamples) {
   ImageErrorParams params;
-  params.render.width = params.render.height = 96;
-  params.reference_samples = 256;
-  params.samples = {16, 32, 64};
+  params.render.width = params.render.height = 80;
+  params.reference_samples = 128;
+  params.samples = {16, 32};
   params.thresholds = {0.01f};
-  params.adaptive_samples = 128;
+  params.adaptive_samples = 32;
   params.cutoffs = {};
   params.repeats = 0;
   for (const char* name : {"balls", "teapot"}) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/eval/image_error.h"
 #include "core/render/record.h"
 #include "core/render/scene_tree.h"
 #include "core/scene/spd.h"
@@ -105,27 +106,6 @@ TEST(AdaptivePicture, TheSpdRulesKnowNoThreshold) {
   EXPECT_EQ(picture(built, params).image, adaptive.image);
 }
 
-/// How far a picture is off another, as shown, over pixels and channels; 1: by the threshold.
-struct Bias {
-  double absolute = 0.0;  ///< mean
-  double signed_mean = 0.0;
-  double root_mean_square = 0.0;
-};
-
-Bias bias(const Image& image, const Image& uniform, double threshold) {
-  Bias bias;
-  const double count = 3.0 * threshold * static_cast<double>(image.pixels.size());
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const Vec3 off =
-        glm::clamp(image.pixels[i], 0.0f, 1.0f) - glm::clamp(uniform.pixels[i], 0.0f, 1.0f);
-    bias.absolute += (std::abs(off.x) + std::abs(off.y) + std::abs(off.z)) / count;
-    bias.signed_mean += (off.x + off.y + off.z) / count;
-    bias.root_mean_square += glm::dot(off, off) / (count * threshold);
-  }
-  bias.root_mean_square = std::sqrt(bias.root_mean_square);
-  return bias;
-}
-
 class AdaptiveBias : public testing::TestWithParam<SpdScene> {};
 
 TEST_P(AdaptiveBias, IsWellBelowTheThreshold) {
@@ -138,10 +118,11 @@ TEST_P(AdaptiveBias, IsWellBelowTheThreshold) {
   for (const float threshold : {0.02f, 0.005f}) {
     params.adaptive = threshold;
     const CountedImage adaptive = picture(built, params);
-    const Bias off = bias(adaptive.image, uniform.image, threshold);
-    EXPECT_LT(off.absolute, 0.5) << threshold;
-    EXPECT_LT(std::abs(off.signed_mean), 0.1) << threshold;
-    EXPECT_LT(off.root_mean_square, 1.0) << threshold;
+    const ImageBias off = image_bias(adaptive.image, uniform.image);
+    const ImageBias& bound = adaptive_bias_bound;
+    EXPECT_LT(std::abs(off.signed_mean), bound.signed_mean * threshold) << threshold;
+    EXPECT_LT(off.absolute_mean, bound.absolute_mean * threshold) << threshold;
+    EXPECT_LT(off.root_mean_square, bound.root_mean_square * threshold) << threshold;
     EXPECT_LT(adaptive.counts.primary, uniform.counts.primary) << threshold;
   }
 }
@@ -217,7 +198,8 @@ TEST(CutOff, ChangesPicturesByLessThanItselfOnAverage) {
     for (const float cutoff : {0.002f, 0.01f, 0.05f}) {
       params.cutoff = cutoff;
       const CountedImage cut = picture(built, params);
-      EXPECT_LT(bias(cut.image, whole, cutoff).absolute, 1.0) << built.scene.name << ' ' << cutoff;
+      EXPECT_LT(image_bias(cut.image, whole).absolute_mean, cutoff)
+          << built.scene.name << ' ' << cutoff;
       EXPECT_LE(cut.counts.all(), before.counts.all()) << built.scene.name << ' ' << cutoff;
       before = cut;
     }
