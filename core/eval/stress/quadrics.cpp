@@ -65,17 +65,6 @@ bool is_right(const ShapeHit& hit, const ExactHits& exact, double chord) {
   return hit.t == no_hit;
 }
 
-std::string describe_quadric(const Scene& scene) {
-  if (!scene.spheres.empty()) {
-    const auto& [c, r] = scene.spheres[0];
-    return fmt::format("sphere {:a} {:a} {:a} radius {:a}", c.x, c.y, c.z, r);
-  }
-  const Cone& cone = scene.cones[0];
-  return fmt::format("cone {:a} {:a} {:a} radius {:a} to {:a} {:a} {:a} radius {:a}", cone.base.x,
-                     cone.base.y, cone.base.z, cone.base_radius, cone.apex.x, cone.apex.y,
-                     cone.apex.z, cone.apex_radius);
-}
-
 }  // namespace
 
 Result<Trial> prepare_far_quadrics(const Setting& setting) {
@@ -86,8 +75,9 @@ Result<Trial> prepare_far_quadrics(const Setting& setting) {
     const ShapeHit hit = subject.shape(quadric.scene, 0, ray, object_bounds(quadric.scene, 0));
     const double chord = quadric.size / glm::length(Vec3d(ray.direction));
     if (is_right(hit, exact, chord)) return std::nullopt;
-    return fmt::format("{}: {}: expected {:a} or {:a}, found {:a}", describe_quadric(quadric.scene),
-                       describe(ray), exact[0].t, exact[1].t, hit.t);
+    return fmt::format("{}: {}: expected {:a} or {:a}, found {:a}",
+                       describe_object(quadric.scene, 0), describe(ray), exact[0].t, exact[1].t,
+                       hit.t);
   });
 }
 

@@ -16,6 +16,17 @@ std::string line_of(const Row& row) {
                      row.failures, row.upper_bound(), row.seconds, row.what, place);
 }
 
+/// What all rows come to.
+Row sum_of(std::span<const Row> rows) {
+  Row sum;
+  for (const Row& row : rows) {
+    sum.trials += row.trials;
+    sum.failures += row.failures;
+    sum.seconds += row.seconds;
+  }
+  return sum;
+}
+
 Json json_of(const Row& row, std::uint64_t seed) {
   Json json{{"id", row.id},
             {"group", row.group},
@@ -46,6 +57,9 @@ std::string to_text(std::span<const Row> rows, std::uint64_t seed) {
   std::string text = fmt::format("{:<4} {:>9} {:>9} {:>9} {:>8}  {}\n", "id", "trials", "failures",
                                  "95 % <", "seconds", "what must hold");
   for (const Row& row : rows) text += line_of(row);
+  const Row sum = sum_of(rows);
+  text += fmt::format("{:<4} {:>9} {:>9} {:>9} {:>8.2f}  in all\n", "", sum.trials, sum.failures,
+                      "", sum.seconds);
   for (const Row& row : rows) {
     if (!row.first) continue;
     text += fmt::format("\n{} trial {}: {}\n  {}\n", row.id, row.first->trial, row.first->sentence,
@@ -55,13 +69,13 @@ std::string to_text(std::span<const Row> rows, std::uint64_t seed) {
 }
 
 std::string to_json(std::span<const Row> rows, std::uint64_t seed) {
-  std::int64_t trials = 0, failures = 0;
-  for (const Row& row : rows) {
-    trials += row.trials;
-    failures += row.failures;
-  }
+  const Row sum = sum_of(rows);
   const Machine machine = this_machine();
-  Json json{{"seed", seed}, {"trials", trials}, {"failures", failures}, {"rows", Json::array()}};
+  Json json{{"seed", seed},
+            {"trials", sum.trials},
+            {"failures", sum.failures},
+            {"seconds", sum.seconds},
+            {"rows", Json::array()}};
   for (const Row& row : rows) json["rows"].push_back(json_of(row, seed));
   json["machine"] = Json{{"cpu", machine.cpu},
                          {"cores", machine.cores},

@@ -21,7 +21,7 @@ Result<Trial> prepare_hard_builds(const Setting& setting);       // T12, trees.c
 Result<Trial> prepare_leaving_rays(const Setting& setting);      // T14, leaving.cpp
 Result<Trial> prepare_narrow_gaps(const Setting& setting);       // T15, leaving.cpp
 Result<Trial> prepare_points_in_boxes(const Setting& setting);   // T16, clip.cpp
-Result<Trial> prepare_wild_scenes(const Setting& setting);       // T17, garbage.cpp
+Result<Trial> prepare_wild_scenes(const Setting& setting);       // T17, wild.cpp
 Result<Trial> prepare_no_rays(const Setting& setting);           // T18, garbage.cpp
 Result<Trial> prepare_far_quadrics(const Setting& setting);      // T19, quadrics.cpp
 Result<Trial> prepare_occlusion(const Setting& setting);         // T20, occlusion.cpp

@@ -1,5 +1,7 @@
 #include "core/eval/stress/scenes.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -96,6 +98,24 @@ Scene make_coplanar_scene(int count, int axis, float position, Dice& dice) {
   }
   add_square(-1.0f, -1.0f, 2.0f);
   return scene;
+}
+
+std::string describe_object(const Scene& scene, std::uint32_t id) {
+  const auto [kind, shape, material] = scene.objects[id];
+  const auto point = [](Vec3 p) { return fmt::format("{:a} {:a} {:a}", p.x, p.y, p.z); };
+  if (kind == ObjectKind::sphere) {
+    const auto& [centre, radius] = scene.spheres[shape];
+    return fmt::format("sphere {} radius {:a}", point(centre), radius);
+  }
+  if (kind == ObjectKind::cone) {
+    const Cone& cone = scene.cones[shape];
+    return fmt::format("cone {} radius {:a} to {} radius {:a}", point(cone.base), cone.base_radius,
+                       point(cone.apex), cone.apex_radius);
+  }
+  std::string text = kind == ObjectKind::triangle ? "triangle" : "polygon";
+  for (const Vec3 p : vertices_of(scene, scene.faces[shape]))
+    text += fmt::format(" ({})", point(p));
+  return text;
 }
 
 }  // namespace bspview::stress

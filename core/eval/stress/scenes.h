@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "core/eval/stress/dice.h"
 #include "core/scene/scene.h"
 
@@ -20,5 +22,8 @@ Scene make_scene_without_polygons(int count, Vec3 centre, Dice& dice);
 /// `count` triangles and squares in the plane where coordinate `axis` is `position`, in a square of
 /// side 2; one object is a square that covers it all.
 Scene make_coplanar_scene(int count, int axis, float position, Dice& dice);
+
+/// The object's bits, to make it again.
+std::string describe_object(const Scene& scene, std::uint32_t object);
 
 }  // namespace bspview::stress

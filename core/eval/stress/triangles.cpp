@@ -25,12 +25,6 @@ Scene scene_of(const Corners& corners) {
   return scene;
 }
 
-std::string describe_corners(const Corners& corners) {
-  std::string text = "triangle";
-  for (const Vec3 p : corners) text += fmt::format(" ({:a} {:a} {:a})", p.x, p.y, p.z);
-  return text;
-}
-
 /// Weights of the second and third corner at the point where the ray meets the plane, correctly
 /// rounded.
 struct Weights {
@@ -117,7 +111,7 @@ Complaint judge_inside_hit(const AimedTriangle& aimed, const ShapeHit& hit) {
   return fmt::format(
       "{}: {}: expected t, u, v and the point within 16 ulp, found errors of {:.1f}, {:.1f}, "
       "{:.1f} and {:.1f}",
-      describe_corners(corners), describe(ray), t_error, u_error, v_error, point_error);
+      describe_object(scene, 0), describe(ray), t_error, u_error, v_error, point_error);
 }
 
 /// Three points on a line, exactly, or fewer.
@@ -152,7 +146,7 @@ Result<Trial> prepare_aimed_triangles(const Setting& setting) {
     const ShapeHit hit = subject.shape(aimed.scene, 0, aimed.ray, object_bounds(aimed.scene, 0));
     if (hit.t == no_hit) {
       return fmt::format("{}: {}: expected a hit at {:a}, found nothing",
-                         describe_corners(aimed.corners), describe(aimed.ray), aimed.exact_t);
+                         describe_object(aimed.scene, 0), describe(aimed.ray), aimed.exact_t);
     }
     return judge_inside_hit(aimed, hit);
   });
@@ -174,8 +168,8 @@ Result<Trial> prepare_triangle_sizes(const Setting& setting) {
       return std::nullopt;
     }
     return fmt::format("{}: {}: expected a hit at {:a}, found {:a} at weights {:a} {:a}",
-                       describe_corners(corners), describe(aimed.ray), aimed.exact_t, hit.t, hit.u,
-                       hit.v);
+                       describe_object(aimed.scene, 0), describe(aimed.ray), aimed.exact_t, hit.t,
+                       hit.u, hit.v);
   });
 }
 
@@ -193,7 +187,7 @@ Result<Trial> prepare_flat_triangles(const Setting& setting) {
     const Ray ray{origin, aim - origin};
     const ShapeHit hit = subject.shape(scene, 0, ray, box);
     if (hit.t == no_hit && !std::isnan(hit.u) && !std::isnan(hit.v)) return std::nullopt;
-    return fmt::format("{}: {}: expected nothing, found {:a}", describe_corners(corners),
+    return fmt::format("{}: {}: expected nothing, found {:a}", describe_object(scene, 0),
                        describe(ray), hit.t);
   });
 }
