@@ -6,6 +6,7 @@
 
 #include "app/eval/commands.h"
 #include "app/eval/progress.h"
+#include "app/options/sampling_options.h"
 #include "app/options/values.h"
 #include "core/base/timer.h"
 #include "core/eval/report.h"
@@ -19,6 +20,7 @@ namespace {
 struct RenderOptions {
   TreeOptions tree;
   RenderParams render;
+  SamplingOptions sampling;
   std::optional<PictureSize> size;  // nullopt: that of the scene's camera
   std::optional<Heat> heat;
   bool reference = false;
@@ -30,6 +32,9 @@ struct RenderOptions {
 
 RenderParams picture_params(const RenderOptions& options, const Camera& camera) {
   RenderParams params = options.render;
+  if (options.sampling.samples) params.samples = *options.sampling.samples;
+  params.adaptive = options.sampling.adaptive;
+  params.cutoff = options.sampling.cutoff;
   params.width = options.size ? options.size->width : camera.width;
   params.height = options.size ? options.size->height : camera.height;
   params.traversal = options.tree.traversal;
@@ -162,30 +167,10 @@ void set_heat(const std::string& name, std::optional<Heat>& heat) {
   heat = static_cast<Heat>(found - heat_names().begin());
 }
 
-void add_sampling_options(CLI::App& command, RenderParams& params) {
-  command.add_option("--spp", params.samples, "Rays a pixel")
-      ->check(CLI::Range(1, 65536).description(""))
-      ->type_name("N")
-      ->capture_default_str();
-  command
-      .add_option("--adaptive", params.adaptive,
-                  "A pixel with 8 rays gets no more once its error, from 0 to 1, is estimated "
-                  "below F; 0: each gets --spp")
-      ->check(finite_number(0.0, 1.0))
-      ->type_name("F")
-      ->capture_default_str();
-  command
-      .add_option("--cutoff", params.cutoff,
-                  "Rays that change a pixel by a share below F are not shot; 0: all are")
-      ->check(finite_number(0.0, 1.0))
-      ->type_name("F")
-      ->capture_default_str();
-}
-
 void add_picture_options(CLI::App& command, RenderOptions& options) {
   add_picture_size(command, "--size", options.size)
       ->description("Pixels; default: as the scene's view says");
-  add_sampling_options(command, options.render);
+  add_sampling_options(command, options.sampling, RenderParams{}.samples);
   add_arithmetic_options(command, options.render.arithmetic, options.render.offset);
   command
       .add_option("--max-ray-depth", options.render.max_ray_depth,

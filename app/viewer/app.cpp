@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/viewer/panels/panels.h"
+#include "core/render/adaptive.h"
 
 namespace bspview {
 namespace {
@@ -242,7 +243,7 @@ void App::watch_camera() {
 /// An edit lasts for as long as its widget is held.
 void App::watch_edits() {
   if (setting() != last_setting_ && !editing_) {
-    comparison_.begin_edit();
+    if (!setting().measures_as(last_setting_)) comparison_.begin_edit();
     editing_ = true;
   }
   last_setting_ = setting();
@@ -264,9 +265,7 @@ bool App::moving() const {
 
 void App::restore(const Setting& setting) {
   state_.build = setting.build;
-  state_.picture.traversal = setting.traversal;
-  state_.picture.arithmetic = setting.arithmetic;
-  state_.picture.offset = setting.offset;
+  state_.picture = setting.picture;
 }
 
 RenderParams App::render_params(int samples) const {
@@ -278,7 +277,9 @@ RenderParams App::render_params(int samples) const {
           .traversal = state_.picture.traversal,
           .arithmetic = state_.picture.arithmetic,
           .offset = state_.picture.offset,
-          .threads = state_.picture.threads};
+          .threads = state_.picture.threads,
+          .cutoff = state_.picture.cutoff,
+          .adaptive = samples > judged_samples ? state_.picture.adaptive : 0.0f};
 }
 
 }  // namespace bspview

@@ -52,10 +52,14 @@ class App {
   /// What undo takes back.
   struct Setting {
     BuildParams build;
-    Traversal traversal;
-    Arithmetic arithmetic;
-    OffsetRule offset;
+    PictureSettings picture;
     bool operator==(const Setting&) const = default;
+    /// Whether Delta and Lambda are the same for both: they are those of one ray a pixel.
+    bool measures_as(Setting other) const {
+      other.picture.samples = picture.samples;
+      other.picture.adaptive = picture.adaptive;
+      return *this == other;
+    }
   };
 
   void advance();
@@ -72,10 +76,7 @@ class App {
   bool moving() const;
   bool at_rest() const;
   void watch_pointer();
-  Setting setting() const {
-    const PictureSettings& picture = state_.picture;
-    return {state_.build, picture.traversal, picture.arithmetic, picture.offset};
-  }
+  Setting setting() const { return {state_.build, state_.picture}; }
   void restore(const Setting& setting);
   RenderParams render_params(int samples) const;
 

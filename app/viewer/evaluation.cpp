@@ -6,7 +6,8 @@ bool same_rays(const Evaluation& a, const Evaluation& b) {
   return a.view && b.view && a.setting.scene == b.setting.scene &&
          a.view->camera == b.view->camera && a.view->params.width == b.view->params.width &&
          a.view->params.height == b.view->params.height &&
-         a.view->params.max_ray_depth == b.view->params.max_ray_depth;
+         a.view->params.max_ray_depth == b.view->params.max_ray_depth &&
+         a.view->params.cutoff == b.view->params.cutoff;
 }
 
 Evaluation evaluate(const BuiltTree& tree, const Picture* picture, const Measures* measures) {

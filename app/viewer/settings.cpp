@@ -101,7 +101,7 @@ Settings load_settings(const std::filesystem::path& file) {
   take_boxes(child(node, "boxes"), settings.boxes);
   take_bool(node, "path_visible", settings.path_visible);
   take_bool(node, "measure_times", settings.measure_times);
-  take_number(node, "samples", 1, 1024, settings.samples);
+  take_number(node, "samples", 1, largest_samples, settings.samples);
   return settings;
 }
 

@@ -53,11 +53,14 @@ struct PictureSettings {
   Traversal traversal = Traversal::robust;
   Arithmetic arithmetic = Arithmetic::exact;
   OffsetRule offset = OffsetRule::error_bounded;
-  int samples = 4;  ///< a pixel, when converged
+  int samples = 4;  ///< a pixel, when converged; with adaptive sampling the most
+  float adaptive = 0.0f, cutoff = 0.0f;  ///< 0: off; see RenderParams
   int max_ray_depth = 5;
   int threads = 0;
   bool operator==(const PictureSettings&) const = default;
 };
+
+inline constexpr int largest_samples = 1024;
 
 /// Appearance of the window; kept from one run to the next.
 struct Look {

@@ -90,6 +90,7 @@ void add_viewer_options(CLI::App& app, ViewerOptions& options) {
       ->type_name("FILE")
       ->group(group);
   add_arithmetic_options(app, options.arithmetic, options.offset);
+  add_sampling_options(app, options.sampling, PictureSettings{}.samples);
   add_switch(app, "--check", options.check)
       ->description("Check the pixels against exact hits")
       ->group(group);
@@ -104,6 +105,9 @@ void apply_options(const ViewerOptions& options, State& state) {
   state.picture.threads = options.tree.build.threads;
   state.picture.arithmetic = options.arithmetic;
   state.picture.offset = options.offset;
+  if (options.sampling.samples) state.picture.samples = *options.sampling.samples;
+  state.picture.adaptive = options.sampling.adaptive;
+  state.picture.cutoff = options.sampling.cutoff;
   state.pick_at_start = options.pick;
   if (options.check) state.check_pixels = *options.check;
   if (options.panels) state.panels_visible = *options.panels;

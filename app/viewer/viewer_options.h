@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/options/sampling_options.h"
 #include "app/options/tree_options.h"
 #include "app/viewer/picking.h"
 #include "app/viewer/state.h"
@@ -20,6 +21,7 @@ struct ViewerOptions {
   std::optional<bool> panels, boxes, check;
   Arithmetic arithmetic = Arithmetic::exact;
   OffsetRule offset = OffsetRule::error_bounded;
+  SamplingOptions sampling;
   std::optional<Theme> theme;
   std::optional<float> scale;
   std::string ui_map, state, script;  ///< files; "": none

@@ -125,7 +125,7 @@ TEST(App, WhatIsTypedRightAfterTheChordOfAFieldGoesIntoTheField) {
 }
 
 TEST(App, PixelsAreCheckedOnceAskedForAndTheSettingCanBeUndone) {
-  AppRig rig(small_scene());
+  AppRig rig(small_scene(), {1280, 800, 1280, 800, 1.0f});
   ASSERT_TRUE(rig.settle());
   EXPECT_FALSE(rig.results().accuracy);
   rig.click(rig.point_of("accuracy.check", 0.05f));
@@ -142,6 +142,51 @@ TEST(App, PixelsAreCheckedOnceAskedForAndTheSettingCanBeUndone) {
   rig.app().perform(Action::undo);
   ASSERT_TRUE(rig.settle());
   EXPECT_EQ(rig.results().picture->request.params.arithmetic, Arithmetic::exact);
+}
+
+TEST(App, AdaptiveSamplingNeedsMoreThanEightSamplesAndEndsThePictureEarly) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  rig.click(rig.point_of("picture.adaptive", 0.5f));
+  EXPECT_EQ(rig.state().picture.adaptive, 0.0f) << "one sample: the slider is off";
+  rig.click(rig.point_of("picture.samples", 0.6f));
+  ASSERT_TRUE(rig.settle());
+  const int uniform = rig.results().picture->pass_count;
+  EXPECT_GT(rig.state().picture.samples, 40);
+  EXPECT_EQ(uniform, rig.state().picture.samples + 3);
+  rig.click(rig.point_of("picture.adaptive", 0.99f));
+  ASSERT_TRUE(rig.settle());
+  EXPECT_NEAR(rig.state().picture.adaptive, 0.1f, 0.01f);
+  EXPECT_TRUE(rig.results().picture->converged());
+  EXPECT_LT(rig.results().picture->pass_count, uniform);
+  rig.click(rig.point_of("picture.adaptive", 0.0f));
+  EXPECT_EQ(rig.state().picture.adaptive, 0.0f);
+}
+
+TEST(App, ACutOffLeavesRaysOutAndCanBeUndone) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  const RayCounts all = *rig.results().now->rays;
+  rig.click(rig.point_of("picture.cutoff", 0.99f));
+  ASSERT_TRUE(rig.settle());
+  EXPECT_NEAR(rig.state().picture.cutoff, 0.1f, 0.01f);
+  EXPECT_LT(rig.results().now->rays->reflected, all.reflected);
+  EXPECT_EQ(rig.results().now->rays->primary, all.primary);
+  rig.app().perform(Action::undo);
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.state().picture.cutoff, 0.0f);
+  EXPECT_EQ(*rig.results().now->rays, all);
+}
+
+TEST(App, SamplesAreNoSettingToCompareNumbersOf) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  rig.app().state().build.leaf_size = 8;
+  ASSERT_TRUE(rig.settle());
+  const std::uint64_t before = rig.results().before->delta.n_ls;
+  rig.app().state().picture.samples = 2;
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.results().before->delta.n_ls, before);
 }
 
 TEST(App, OverlaysThatAreHiddenAreNotDrawn) {

@@ -108,6 +108,12 @@ TEST(Panels, EveryControlIsInTheMapAndInsideTheSmallestWindow) {
   State state = full_state(results);
   state.help_visible = false;
   const WidgetMap widgets = three_frames(results, state, {960, 600});
+  state.boxes.visible = false;
+  const WidgetMap without_boxes = three_frames(results, state, {960, 600});
+  for (const char* name : {"picture.samples", "picture.adaptive", "picture.cutoff"}) {
+    ASSERT_TRUE(without_boxes.contains(name)) << name;
+    EXPECT_LE(without_boxes.at(name).bottom(), 600.0f) << name;
+  }
   for (const char* name : {"scene.source",
                            "scene.standard",
                            "scene.size",
@@ -148,7 +154,7 @@ TEST(Panels, ControlsOfOnePanelDoNotOverlap) {
   const WidgetMap widgets = three_frames(results, state, {960, 600});
   std::vector<std::pair<std::string, Rect>> controls;
   for (const auto& [name, rect] : widgets)
-    for (const char* panel : {"scene.", "build.", "boxes.", "overlay.", "measure."})
+    for (const char* panel : {"scene.", "build.", "boxes.", "overlay.", "picture.", "measure."})
       if (name.starts_with(panel)) controls.emplace_back(name, rect);
   for (const auto& [name, a] : controls)
     for (const auto& [other, b] : controls) {

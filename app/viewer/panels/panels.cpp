@@ -6,6 +6,7 @@
 #include "app/viewer/panels/measures_panel.h"
 #include "app/viewer/panels/menu_bar.h"
 #include "app/viewer/panels/overlay_panel.h"
+#include "app/viewer/panels/picture_panel.h"
 #include "app/viewer/panels/ray_panel.h"
 #include "app/viewer/panels/scene_panel.h"
 #include "app/viewer/panels/scopes.h"
@@ -26,6 +27,7 @@ void left_column(const Ui& ui, const Rect& rect, const Results& results, State& 
   scene_panel(ui, results, state);
   build_panel(ui, results, state);
   overlay_panel(ui, results, state);
+  picture_panel(ui, state);
   accuracy_panel(ui, results, state);
 }
 
