@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+// Only for files that are compiled with BSPVIEW_EMBREE.
+#include <embree3/rtcore.h>
+
+#include <span>
+#include <vector>
+
+namespace bspview {
+
+/// How Embree (Wald et al. 2014, "Embree: A Kernel Framework for Efficient CPU Ray Tracing") tests.
+enum class EmbreeMode { standard, robust };
+
+/// Embree's copy of a scene: triangles, polygons cut into triangles, spheres as sphere points,
+/// cones as linear cones without caps. Any number of threads may trace it.
+class EmbreeScene {
+ public:
+  EmbreeScene(const Scene& scene, EmbreeMode mode);
+  EmbreeScene(const EmbreeScene&) = delete;
+  EmbreeScene& operator=(const EmbreeScene&) = delete;
+  ~EmbreeScene();
+
+  RTCScene get() const { return scene_; }
+
+  /// The object behind an answer; no_index for RTC_INVALID_GEOMETRY_ID.
+  std::uint32_t object(unsigned geometry, unsigned primitive) const {
+    return geometry < objects_.size() ? objects_[geometry][primitive] : no_index;
+  }
+
+ private:
+  /// Takes the geometry over; primitive i of it is objects[i].
+  void attach(RTCGeometry geometry, std::vector<std::uint32_t> objects);
+  void attach_faces(const Scene& scene);
+  void attach_spheres(const Scene& scene);
+  void attach_cones(const Scene& scene);
+
+  RTCDevice device_;
+  RTCScene scene_;
+  std::vector<std::vector<std::uint32_t>> objects_;  // by geometry, then by primitive
+};
+
+/// The ray as Embree takes it.
+RTCRay embree_ray(const Ray& ray);
+
+}  // namespace bspview
