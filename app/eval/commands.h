@@ -9,6 +9,7 @@ void add_stats(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_cast(CLI::App& app, Run& run);
 void add_spd(CLI::App& app, Run& run);
+void add_bench(CLI::App& app, Run& run);
 void add_stress(CLI::App& app, Run& run);
 void add_error(CLI::App& app, Run& run);
 

@@ -19,6 +19,7 @@ int run_program(int argc, char** argv) {
   add_render(app, run);
   add_cast(app, run);
   add_spd(app, run);
+  add_bench(app, run);
   add_stress(app, run);
   add_error(app, run);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;

@@ -1,0 +1,46 @@
+#include <nlohmann/json.hpp>
+
+#include "tests/app/eval/bspeval.h"
+
+namespace bspview::test {
+namespace {
+
+class BenchCommand : public Bspeval {
+ protected:
+  BenchCommand() { write("s.nff", small_scene()); }
+  static constexpr const char* quick = "bench s.nff --rays 64 --repeat 1 ";
+};
+
+TEST_F(BenchCommand, WritesATableAPictureAndNumbers) {
+  const Outcome outcome = run(std::string(quick) + "-o report --json numbers.json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nGeometric mean of the ratios over 1 scenes"), std::string::npos);
+  EXPECT_EQ(read("report/bench.json"), read("numbers.json"));
+  EXPECT_EQ(read("report/bench.csv").rfind("scene,shapes,", 0), 0u);
+  EXPECT_EQ(read("report/bench.svg").rfind("<svg", 0), 0u);
+}
+
+TEST_F(BenchCommand, KindsAreMeasuredInTheirOrderHoweverTheyAreAskedFor) {
+  const Outcome outcome = run(std::string(quick) + "--kinds shadow,primary --json -");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  const auto& kinds = json["triangles"]["scenes"][0]["kinds"];
+  EXPECT_EQ(kinds.size(), 2u);
+  EXPECT_TRUE(kinds.contains("primary") && kinds.contains("shadow"));
+}
+
+TEST_F(BenchCommand, WhatCannotBeDoneIsSaidBeforeTheWork) {
+  EXPECT_EQ(run("bench missing.nff").exit_code, 1);
+  EXPECT_EQ(run("bench s.nff --rays 0").exit_code, 2);
+  EXPECT_EQ(run("bench s.nff --kinds sideways").exit_code, 2);
+  EXPECT_EQ(run("bench s.nff --segments 5").exit_code, 2);
+  EXPECT_EQ(run("bench s.nff --segments 2").exit_code, 2);
+  write("file", "");
+  const Outcome outcome = run("bench s.nff -o file/folder");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("bspeval: file/folder: cannot be made a folder", 0), 0u);
+}
+
+}  // namespace
+}  // namespace bspview::test
