@@ -36,9 +36,9 @@ struct RayWalk {
   }
 
   /// By the sign of the reciprocal: beside a component of +0 every plane to the right is at +inf.
-  bool goes_right(int axis) const { return inverse[axis] > 0.0f; }
+  bool goes_right(int axis) const { return component(inverse, axis) > 0.0f; }
   float plane_distance(const Node& node) const {
-    return (node.split() - origin[node.axis()]) * inverse[node.axis()];
+    return (node.split() - component(origin, node.axis())) * component(inverse, node.axis());
   }
 
   Vec3 origin, direction, inverse;

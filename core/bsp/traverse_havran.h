@@ -45,8 +45,9 @@ std::uint32_t traverse_havran(const Tree& tree, const RayWalk& ray, Leaf&& leaf,
     const int axis = node.axis();
     const float split = node.split();
     const float t = ray.plane_distance(node);
-    const bool enter_left = enter.point[axis] <= split, exit_left = exit.point[axis] <= split;
-    const bool start_right = enter.point[axis] == split && !exit_left;
+    const bool enter_left = component(enter.point, axis) <= split;
+    const bool exit_left = component(exit.point, axis) <= split;
+    const bool start_right = component(enter.point, axis) == split && !exit_left;
     const NearFar child = near_far(node, enter_left);
     if (start_right) {
       observer.inner(index, node, StepKind::far_only, t, interval);

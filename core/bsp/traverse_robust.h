@@ -1,8 +1,8 @@
 #pragma once
 
-// Interval traversal: planes are at an interval of distances that surely holds the true one, so
-// that no cell is skipped that the ray touches. The bounds are Ize's (2013, "Robust BVH Ray
-// Traversal", JCGT 2(2)), applied to split planes.
+// Interval traversal: the ends of the ray's interval in a cell are moved outwards by what they and
+// the planes compared with them may be off, so that no cell is skipped that the ray touches. The
+// bounds are Ize's (2013, "Robust BVH Ray Traversal", JCGT 2(2)), applied to split planes.
 
 #include "core/bsp/ray_walk.h"
 
@@ -15,12 +15,13 @@ namespace bspview {
 template <class Leaf, class Observer>
 std::uint32_t traverse_robust(const Tree& tree, const RayWalk& ray, Leaf&& leaf,
                               Observer& observer) {
-  constexpr float below = 1.0f - plane_error, above = 1.0f + plane_error;
   // Cells overlap by the widths of their borders, so that one further down the stack may be entered
-  // before the one on top: up to (1 + plane_error) / (1 - plane_error) before it.
-  constexpr double sooner = 1.0 - 4.0 * plane_error, later = 1.0 + 4.0 * plane_error;
+  // before the one on top: up to 1 + 2 plane_error before it.
+  constexpr double sooner = 1.0 - 8.0 * plane_error, later = 1.0 + 8.0 * plane_error;
   RayInterval interval = root_interval(tree, ray);
   if (!(interval.enter <= interval.exit)) return no_leaf;
+  interval.enter -= plane_error * std::abs(interval.enter);
+  interval.exit += plane_error * std::abs(interval.exit);
   WalkStack stack;
   std::uint32_t index = 0;
   for (;;) {
@@ -39,16 +40,16 @@ std::uint32_t traverse_robust(const Tree& tree, const RayWalk& ray, Leaf&& leaf,
     const float t = ray.plane_distance(node);
     const NearFar child = near_far(node, ray.goes_right(node.axis()));
     // Comparisons are written so that NaN (the ray lies in the plane) visits both, unclipped.
-    const float one = t * below, two = t * above;
-    const float t_low = t < 0.0f ? two : one, t_high = t < 0.0f ? one : two;
-    if (t_low > interval.exit) {
+    if (t > interval.exit) {
       observer.inner(index, node, StepKind::near_only, t, interval);
       index = child.near;
-    } else if (t_high < interval.enter) {
+    } else if (t < interval.enter) {
       observer.inner(index, node, StepKind::far_only, t, interval);
       index = child.far;
     } else {
       observer.inner(index, node, StepKind::both, t, interval);
+      const float margin = 2.0f * plane_error * std::abs(t);
+      const float t_low = t - margin, t_high = t + margin;
       const float far_enter = t_low > interval.enter ? t_low : interval.enter;
       stack.push(child.far, {far_enter, interval.exit});
       interval.exit = t_high < interval.exit ? t_high : interval.exit;

@@ -97,6 +97,20 @@ Meeting meet_outline(const Ray& ray, std::span<const Vec3> vertices) {
   return inside ? Meeting::interior : Meeting::miss;
 }
 
+/// Where the ray leaves the box of the vertices.
+Quad exit_of_box(const Ray& ray, std::span<const Vec3> vertices) {
+  Quad exit = no_hit;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float d = ray.direction[axis];
+    if (d == 0.0f) continue;
+    float side = vertices[0][axis];
+    for (const Vec3& v : vertices)
+      side = d > 0.0f ? std::max(side, v[axis]) : std::min(side, v[axis]);
+    exit = std::min(exit, Quad((Quad(side) - Quad(ray.origin[axis])) / Quad(d)));
+  }
+  return exit;
+}
+
 ExactHit meet_polygon(const Scene& scene, const Face& face, const Ray& ray, Sides sides) {
   using Fine = Vec3Of<Quad>;
   const Meeting meeting = meet_outline(ray, vertices_of(scene, face));
@@ -105,8 +119,12 @@ ExactHit meet_polygon(const Scene& scene, const Face& face, const Ray& ray, Side
   const Fine normal(plane.normal), way = Fine(plane.point) - Fine(ray.origin);
   const Quad slope = dot(normal, Fine(ray.direction));
   if (slope == 0 || (sides == Sides::front && slope > 0)) return {};
-  const Quad t = dot(normal, way) / slope;
-  return within(ray, meeting, t.convert_to<double>(), t == 0);
+  const Quad t = dot(normal, way) / slope, passage = abs(Quad(plane.thickness) / slope);
+  if (passage <= longest_passage * abs(t)) {
+    return within(ray, meeting, t.convert_to<double>(), t == 0);
+  }
+  const Quad end = std::min(Quad(t + passage), exit_of_box(ray, vertices_of(scene, face)));
+  return within(ray, meeting, end.convert_to<double>(), end == 0);
 }
 
 /// One of the two points where a ray passes an unbounded quadric.

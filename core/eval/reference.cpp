@@ -131,7 +131,7 @@ std::vector<Candidate> Reference::meetings(const Ray& ray, SideRule rule) const 
 Judgement Reference::judge(const Ray& ray, std::uint32_t object, double t, SideRule rule) const {
   // What lies well behind the answer cannot make it wrong.
   Ray looked_at = ray;
-  looked_at.t_max = std::min(ray.t_max, round_up(t + 2.0 * other_place * std::abs(t)));
+  looked_at.t_max = std::min(ray.t_max, next_up(round_up(t + 2.0 * other_place * std::abs(t))));
   const std::vector<Candidate> candidates = meetings(looked_at, rule);
   const double sure = nearest_sure(candidates);
   if (object == no_index) {

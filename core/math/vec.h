@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -12,6 +13,13 @@ using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
 using Vec3d = glm::dvec3;
 
-inline float largest_component(Vec3 v) { return std::max({v.x, v.y, v.z}); }
+/// v[axis] for an axis that the compiler does not know: one load, where glm branches.
+inline float component(const Vec3& v, int axis) {
+  return glm::value_ptr(v)[axis];
+}
+
+inline float largest_component(Vec3 v) {
+  return std::max({v.x, v.y, v.z});
+}
 
 }  // namespace bspview

@@ -14,7 +14,6 @@ namespace bspview {
 struct Hit {
   double t = no_hit;
   std::uint32_t object = no_index;
-  float u = 0.0f, v = 0.0f;      ///< triangles: weights of the second and third vertex
   std::uint32_t leaf = no_leaf;  ///< node index of the leaf that holds the hit point
 
   explicit operator bool() const { return object != no_index; }
@@ -32,8 +31,7 @@ inline Sides visible_sides(const Scene& scene, const Object& object, SideRule ru
 }
 
 /// Tests one object: the single place where a kind of object is told from another.
-inline ShapeHit hit_object(const Scene& scene, std::uint32_t id, const RayQuery& ray,
-                           SideRule rule) {
+inline double hit_object(const Scene& scene, std::uint32_t id, const RayQuery& ray, SideRule rule) {
   const Object& object = scene.objects[id];
   const Sides sides = visible_sides(scene, object, rule);
   switch (object.kind) {
@@ -57,7 +55,7 @@ struct ExactShapes {
   static Query query(const World& world, const Ray& ray) {
     return RayQuery(ray, reach_of(world.tree.box, ray.origin));
   }
-  static ShapeHit hit(const Scene& scene, std::uint32_t id, const Query& ray, SideRule rule) {
+  static double hit(const Scene& scene, std::uint32_t id, const Query& ray, SideRule rule) {
     return hit_object(scene, id, ray, rule);
   }
 };
@@ -78,10 +76,10 @@ Hit closest_hit(const World& world, const Ray& ray, const TraceRules& rules, Obs
   Hit best;
   const auto leaf = [&](std::uint32_t, const Node& node) {
     for (const std::uint32_t id : world.tree.objects_of(node)) {
-      const ShapeHit hit = Shapes::hit(world.scene, id, query, rules.sides);
-      const bool better = hit.t < best.t || (hit.t == best.t && id < best.object);
-      if (better && hit.t != no_hit) best = {hit.t, id, hit.u, hit.v, no_leaf};
-      observer.test(id, better && hit.t != no_hit, hit.t);
+      const double t = Shapes::hit(world.scene, id, query, rules.sides);
+      const bool better = t < best.t || (t == best.t && t != no_hit && id < best.object);
+      if (better) best = {t, id, no_leaf};
+      observer.test(id, better, t);
     }
     return best.t;
   };
@@ -98,9 +96,9 @@ std::uint32_t any_hit(const World& world, const Ray& ray, const TraceRules& rule
   std::uint32_t blocker = no_index;
   const auto leaf = [&](std::uint32_t, const Node& node) {
     for (const std::uint32_t id : world.tree.objects_of(node)) {
-      const ShapeHit hit = Shapes::hit(world.scene, id, query, rules.shadow_sides);
-      observer.test(id, hit.t != no_hit, hit.t);
-      if (hit.t == no_hit) continue;
+      const double t = Shapes::hit(world.scene, id, query, rules.shadow_sides);
+      observer.test(id, t != no_hit, t);
+      if (t == no_hit) continue;
       blocker = id;
       return stop_walk;
     }

@@ -30,16 +30,23 @@ Vec3d front_normal(const Scene& scene, const Object& object, Vec3d point) {
   return glm::normalize(triangle_normal(corners[0], corners[1], corners[2]));
 }
 
+/// How far the hit point may be off the vertices' layer, and they off it, along the normal.
+double thickness_of(const Scene& scene, const Object& object) {
+  if (object.kind != ObjectKind::polygon) return 0.0;
+  const PolygonPlane& plane = scene.planes[scene.faces[object.shape].plane];
+  return 2.0 * plane.thickness / glm::length(plane.normal);
+}
+
 /// The normals of a patch at the hit, interpolated.
-Vec3d patch_normal(const Scene& scene, const Face& face, const Hit& hit, Vec3d point) {
+Vec3d patch_normal(const Scene& scene, const Face& face, const Ray& ray, Vec3d point) {
   const auto normals = std::span(scene.normals).subspan(face.first_normal, face.vertex_count);
-  std::array<float, 3> triangle_weights{1.0f - hit.u - hit.v, hit.u, hit.v};
-  std::vector<float> polygon_weights;
-  std::span<const float> weights = triangle_weights;
-  if (face.vertex_count != 3) {
-    polygon_weights.resize(face.vertex_count);
-    mean_value_coordinates(vertices_of(scene, face), Vec3(point), polygon_weights);
-    weights = polygon_weights;
+  std::vector<float> weights(face.vertex_count);
+  const std::span<const Vec3> vertices = vertices_of(scene, face);
+  if (face.vertex_count == 3) {
+    const Vec2 w = triangle_weights(ray, vertices.data());
+    weights = {1.0f - w.x - w.y, w.x, w.y};
+  } else {
+    mean_value_coordinates(vertices, Vec3(point), weights);
   }
   Vec3d normal(0.0);
   for (std::size_t i = 0; i < normals.size(); ++i) normal += Vec3d(weights[i] * normals[i]);
@@ -61,12 +68,13 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
   // The point is computed in double: it is off by roundings of 2^-53, and by what the vertices of
   // a face, rounded to float, are off their common plane.
   surface.error = static_cast<double>(unit_roundoff) * glm::abs(surface.point) +
-                  0x1p-50 * (glm::abs(Vec3d(ray.origin)) + glm::abs(way));
+                  0x1p-50 * (glm::abs(Vec3d(ray.origin)) + glm::abs(way)) +
+                  Vec3d(thickness_of(scene, object));
 
   surface.shading_normal = surface.normal;
   const bool is_face = object.kind == ObjectKind::triangle || object.kind == ObjectKind::polygon;
   if (is_face && scene.faces[object.shape].first_normal != no_index) {
-    const Vec3d smooth = patch_normal(scene, scene.faces[object.shape], hit, surface.point);
+    const Vec3d smooth = patch_normal(scene, scene.faces[object.shape], ray, surface.point);
     const double length = glm::length(smooth);
     if (length > 0.0) {
       const double sign = glm::dot(smooth, surface.normal) < 0.0 ? -1.0 : 1.0;

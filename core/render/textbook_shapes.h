@@ -13,11 +13,11 @@ template <class Real>
 struct MoellerFaces {
   using Query = TextbookRay<Real>;
   static Query query(const World&, const Ray& ray) { return Query(ray); }
-  static ShapeHit triangle(const Query& ray, const Vec3* vertices, Sides sides) {
+  static double triangle(const Query& ray, const Vec3* vertices, Sides sides) {
     return hit_moeller_trumbore(ray, vertices, sides);
   }
-  static ShapeHit polygon(const Query& ray, std::span<const Vec3> vertices,
-                          const PolygonPlane& plane, Sides sides) {
+  static double polygon(const Query& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
+                        Sides sides) {
     return hit_polygon_crossings(ray, vertices, plane, sides);
   }
 };
@@ -26,11 +26,11 @@ struct MoellerFaces {
 struct WoopFaces {
   using Query = WoopRay;
   static Query query(const World&, const Ray& ray) { return Query(ray); }
-  static ShapeHit triangle(const Query& ray, const Vec3* vertices, Sides sides) {
+  static double triangle(const Query& ray, const Vec3* vertices, Sides sides) {
     return hit_woop(ray, vertices, sides);
   }
-  static ShapeHit polygon(const Query& ray, std::span<const Vec3> vertices,
-                          const PolygonPlane& plane, Sides sides) {
+  static double polygon(const Query& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
+                        Sides sides) {
     return hit_polygon_crossings(ray.plain, vertices, plane, sides);
   }
 };
@@ -39,11 +39,11 @@ struct WoopFaces {
 struct ExactFaces {
   using Query = RayQuery;
   static Query query(const World& world, const Ray& ray) { return ExactShapes::query(world, ray); }
-  static ShapeHit triangle(const Query& ray, const Vec3* vertices, Sides sides) {
+  static double triangle(const Query& ray, const Vec3* vertices, Sides sides) {
     return hit_triangle(ray, vertices, sides);
   }
-  static ShapeHit polygon(const Query& ray, std::span<const Vec3> vertices,
-                          const PolygonPlane& plane, Sides sides) {
+  static double polygon(const Query& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
+                        Sides sides) {
     return hit_polygon(ray, vertices, plane, sides);
   }
 };
@@ -51,10 +51,10 @@ struct ExactFaces {
 struct FloatQuadrics {
   using Query = TextbookRay<float>;
   static Query query(const World&, const Ray& ray) { return Query(ray); }
-  static ShapeHit sphere(const Query& ray, const Sphere& sphere, Sides sides) {
+  static double sphere(const Query& ray, const Sphere& sphere, Sides sides) {
     return hit_sphere_textbook(ray, sphere, sides);
   }
-  static ShapeHit cone(const Query& ray, const Cone& cone, Sides sides) {
+  static double cone(const Query& ray, const Cone& cone, Sides sides) {
     return hit_cone_textbook(ray, cone, sides);
   }
 };
@@ -63,10 +63,10 @@ struct FloatQuadrics {
 struct DoubleQuadrics {
   using Query = RayQuery;
   static Query query(const World&, const Ray& ray) { return Query(ray); }
-  static ShapeHit sphere(const Query& ray, const Sphere& sphere, Sides sides) {
+  static double sphere(const Query& ray, const Sphere& sphere, Sides sides) {
     return hit_sphere(ray, sphere, sides);
   }
-  static ShapeHit cone(const Query& ray, const Cone& cone, Sides sides) {
+  static double cone(const Query& ray, const Cone& cone, Sides sides) {
     return hit_cone(ray, cone, sides);
   }
 };
@@ -80,7 +80,7 @@ struct MixedShapes {
   static Query query(const World& world, const Ray& ray) {
     return {Faces::query(world, ray), Quadrics::query(world, ray)};
   }
-  static ShapeHit hit(const Scene& scene, std::uint32_t id, const Query& ray, SideRule rule) {
+  static double hit(const Scene& scene, std::uint32_t id, const Query& ray, SideRule rule) {
     const Object& object = scene.objects[id];
     const Sides sides = visible_sides(scene, object, rule);
     switch (object.kind) {

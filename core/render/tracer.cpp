@@ -31,7 +31,7 @@ bool PathTracer::occluded(const Ray& ray, int level) {
   return path.object != no_index;
 }
 
-ShapeHit ReferenceTracer::hit(std::uint32_t id, const RayQuery& ray, SideRule sides) const {
+double ReferenceTracer::hit(std::uint32_t id, const RayQuery& ray, SideRule sides) const {
   const Object& object = scene_.objects[id];
   if (object.kind != ObjectKind::triangle) return hit_object(scene_, id, ray, sides);
   const Face& face = scene_.faces[object.shape];
@@ -43,8 +43,8 @@ Hit ReferenceTracer::closest(const Ray& ray, RayKind, int) {
   const RayQuery query(ray);
   Hit best;
   for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
-    const ShapeHit found = hit(id, query, rules_.sides);
-    if (found.t < best.t) best = {found.t, id, found.u, found.v, no_leaf};
+    const double t = hit(id, query, rules_.sides);
+    if (t < best.t) best = {t, id, no_leaf};
   }
   return best;
 }
@@ -52,7 +52,7 @@ Hit ReferenceTracer::closest(const Ray& ray, RayKind, int) {
 bool ReferenceTracer::occluded(const Ray& ray, int) {
   const RayQuery query(ray);
   for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
-    if (hit(id, query, rules_.shadow_sides).t != no_hit) return true;
+    if (hit(id, query, rules_.shadow_sides) != no_hit) return true;
   }
   return false;
 }

@@ -118,7 +118,7 @@ class ReferenceTracer {
   bool occluded(const Ray& ray, int level);
 
  private:
-  ShapeHit hit(std::uint32_t object, const RayQuery& ray, SideRule sides) const;
+  double hit(std::uint32_t object, const RayQuery& ray, SideRule sides) const;
 
   const Scene& scene_;
   TraceRules rules_;

@@ -58,14 +58,13 @@ Aabb bounds_of_part(const Cone& cone, Interval s) {
 /// The quadratic a t^2 - 2 b t + c = 0 of a ray and the unbounded cone.
 struct Quadratic {
   double a, b, c;
+  double discriminant() const { return b * b - a * c; }
 };
 
-/// Both roots, the smaller first; false when there is none. A vanishing `a` (the ray runs along a
-/// generator) leaves one finite root.
-bool solve(const Quadratic& equation, double roots[2]) {
+/// Both roots, the smaller first, for a discriminant that is not negative; false when there is
+/// none. A vanishing `a` (the ray runs along a generator) leaves one finite root.
+bool solve(const Quadratic& equation, double discriminant, double roots[2]) {
   const auto& [a, b, c] = equation;
-  const double discriminant = b * b - a * c;
-  if (!(discriminant >= 0.0)) return false;
   const double q = b + std::copysign(std::sqrt(discriminant), b);
   if (q == 0.0 && a == 0.0) return false;
   roots[0] = a == 0.0 ? no_hit : q / a;
@@ -76,23 +75,23 @@ bool solve(const Quadratic& equation, double roots[2]) {
 
 }  // namespace
 
-ShapeHit hit_cone(const RayQuery& ray, const Cone& cone, Sides sides) {
-  const Vec3d d(ray.direction);
+double hit_cone(const RayQuery& ray, const Cone& cone, Sides sides) {
+  const Vec3d d = ray.wide_direction;
   const Vec3d base(cone.base);
   const Vec3d axis = Vec3d(cone.apex) - base;
-  const double axis2 = glm::dot(axis, axis);
+  const double per_axis2 = 1.0 / glm::dot(axis, axis);
   const double base_radius = std::abs(static_cast<double>(cone.base_radius));
   const double growth = std::abs(static_cast<double>(cone.apex_radius)) - base_radius;
 
   // Move the origin to the ray's closest point to the middle of the axis: far away the
   // discriminant would be lost in the rounding of b * b.
-  const Vec3d to_middle = base + 0.5 * axis - Vec3d(ray.origin);
-  const double shift = glm::dot(to_middle, d) / glm::dot(d, d);
-  const Vec3d f = Vec3d(ray.origin) - base + shift * d;
+  const Vec3d to_middle = base + 0.5 * axis - ray.wide_origin;
+  const double shift = glm::dot(to_middle, d) / ray.length2;
+  const Vec3d f = ray.wide_origin - base + shift * d;
 
   // Along the axis: s = m + t n, 0 at the base and 1 at the apex; across it f_across + t d_across.
-  const double m = glm::dot(f, axis) / axis2;
-  const double n = glm::dot(d, axis) / axis2;
+  const double m = glm::dot(f, axis) * per_axis2;
+  const double n = glm::dot(d, axis) * per_axis2;
   const Vec3d f_across = f - m * axis;
   const Vec3d d_across = d - n * axis;
   const double radius = base_radius + growth * m;
@@ -100,8 +99,9 @@ ShapeHit hit_cone(const RayQuery& ray, const Cone& cone, Sides sides) {
   const Quadratic equation{glm::dot(d_across, d_across) - slope * slope,
                            radius * slope - glm::dot(f_across, d_across),
                            glm::dot(f_across, f_across) - radius * radius};
+  const double discriminant = equation.discriminant();
   double roots[2];
-  if (!solve(equation, roots)) return {};
+  if (!(discriminant >= 0.0) || !solve(equation, discriminant, roots)) return no_hit;
 
   for (const double root : roots) {
     const double s = m + root * n;
@@ -113,7 +113,7 @@ ShapeHit hit_cone(const RayQuery& ray, const Cone& cone, Sides sides) {
     }
     return {shift + root};
   }
-  return {};
+  return no_hit;
 }
 
 Aabb cone_bounds(const Cone& cone) {

@@ -16,7 +16,7 @@ struct Cone {
 };
 
 /// In double, solved around the ray's closest point to the middle of the axis.
-ShapeHit hit_cone(const RayQuery& ray, const Cone& cone, Sides sides);
+double hit_cone(const RayQuery& ray, const Cone& cone, Sides sides);
 
 /// Rounded outwards.
 Aabb cone_bounds(const Cone& cone);

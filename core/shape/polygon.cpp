@@ -11,6 +11,12 @@
 namespace bspview {
 namespace {
 
+Aabb box_of(std::span<const Vec3> vertices) {
+  Aabb box;
+  for (const Vec3& vertex : vertices) box.grow(vertex);
+  return box;
+}
+
 /// Whether `vertex`, seen along the ray, lies above it. Exact.
 bool is_above(const RayQuery& ray, Vec3 vertex) {
   const float height =
@@ -37,6 +43,79 @@ bool encloses_ray(const RayQuery& ray, std::span<const Vec3> vertices) {
     from = &to;
   }
   return inside;
+}
+
+/// Where a ray meets the plane of a polygon, on the two axes on which the polygon is widest. It,
+/// and the vertices as the ray sees them on the plane, are off by less than `slack` on either.
+struct HitPoint {
+  double x, y, slack;
+};
+
+/// With the largest component of the direction, m, and every vertex within `reach` of the origin on
+/// every axis, double takes the height over the plane by less than 2^-48 area x reach, the slope by
+/// less than 2^-50 area m, and the point by less than 2^-48 reach off their places. (A point beyond
+/// 16 reach is farther from the polygon than any of that.)
+HitPoint hit_point(const RayQuery& ray, const PolygonPlane& plane, double t, double per_slope) {
+  const double reach = ray.reach_error * 0x1p24;
+  const double flatness = std::abs(per_slope * component(ray.direction, ray.kz));
+  const double height = plane.thickness + 0x1p-44 * plane.area * reach;
+  const bool slope_is_lost = !(flatness * plane.area < 0x1p40);
+  return {.x = component(ray.origin, plane.x_axis) + t * component(ray.direction, plane.x_axis),
+          .y = component(ray.origin, plane.y_axis) + t * component(ray.direction, plane.y_axis),
+          .slack = slope_is_lost ? no_hit : height * flatness + 0x1p-44 * reach};
+}
+
+/// Side of `p` on which an edge from below it to above it passes: 1 towards larger x, -1 towards
+/// smaller, 0 too close to tell.
+int side_of_crossing(const HitPoint& p, const PolygonPlane& plane, const Vec3& below,
+                     const Vec3& above) {
+  const double ax = component(below, plane.x_axis) - p.x, ay = component(below, plane.y_axis) - p.y;
+  const double bx = component(above, plane.x_axis) - p.x, by = component(above, plane.y_axis) - p.y;
+  const double side = ax * by - ay * bx;
+  const double size = std::abs(ax) + std::abs(bx) + by - ay;
+  const double bound = (2.0 * p.slack + 0x1p-50 * size) * size;
+  return side > bound ? 1 : side < -bound ? -1 : 0;
+}
+
+/// How a polygon lies to a point of its plane.
+enum class Place { outside, inside, open };
+
+/// Counts the edges that cross the half-line from `p` towards larger x; open where a vertex or an
+/// edge is too close to tell.
+Place place_of(const HitPoint& p, const PolygonPlane& plane, std::span<const Vec3> vertices) {
+  // As floats, rounded away from the point by more than their own rounding.
+  const double margin = (1.0 + 0x1p-20) * p.slack + 0x1p-22 * std::abs(p.y);
+  const auto low = static_cast<float>(p.y - margin), high = static_cast<float>(p.y + margin);
+  bool inside = false, open = false;
+  const Vec3* from = &vertices.back();
+  bool from_above = component(*from, plane.y_axis) > high;
+  for (const Vec3& to : vertices) {
+    const float y = component(to, plane.y_axis);
+    const bool to_above = y > high;
+    open |= to_above == (y < low);  // neither
+    if (from_above != to_above) {
+      const int side =
+          to_above ? side_of_crossing(p, plane, *from, to) : side_of_crossing(p, plane, to, *from);
+      open |= side == 0;
+      inside ^= side > 0;
+    }
+    from_above = to_above;
+    from = &to;
+  }
+  return open ? Place::open : inside ? Place::inside : Place::outside;
+}
+
+/// Where the ray leaves the box of the vertices, but for rounding.
+double exit_of_box(const RayQuery& ray, std::span<const Vec3> vertices) {
+  const Aabb box = box_of(vertices);
+  double exit = no_hit;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = ray.wide_direction[axis];
+    if (d == 0.0) continue;
+    const double side = d > 0.0 ? box.hi[axis] : box.lo[axis];
+    exit = std::min(exit, (side - ray.wide_origin[axis]) / d);
+  }
+  return exit;
 }
 
 /// A polygon while it is cut; small ones need no heap.
@@ -128,12 +207,6 @@ Aabb rounded_box(std::span<const Vec3d> points, double margin) {
   return box;
 }
 
-Aabb box_of(std::span<const Vec3> vertices) {
-  Aabb box;
-  for (const Vec3& vertex : vertices) box.grow(vertex);
-  return box;
-}
-
 double largest_magnitude(const Aabb& a) {
   return largest_component(glm::max(glm::abs(a.lo), glm::abs(a.hi)));
 }
@@ -151,15 +224,35 @@ PolygonPlane polygon_plane(std::span<const Vec3> vertices) {
     p = q;
   }
   plane.point = base + plane.point / static_cast<double>(vertices.size());
+  const Vec3d size = glm::abs(plane.normal);
+  const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  plane.x_axis = z == 0 ? 1 : 0;
+  plane.y_axis = z == 2 ? 1 : 2;
+  plane.area = size.x + size.y + size.z;
+  for (const Vec3& vertex : vertices) {
+    const Vec3d arm = Vec3d(vertex) - plane.point;
+    const double rounding = 0x1p-48 * glm::dot(size, glm::abs(arm));
+    const double height = 1.01 * std::abs(glm::dot(plane.normal, arm));
+    plane.thickness = std::max(plane.thickness, height + rounding);
+  }
   return plane;
 }
 
-ShapeHit hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
-                     Sides sides) {
-  const double t = hit_plane(ray, plane.point, plane.normal, sides);
+double hit_polygon(const RayQuery& ray, std::span<const Vec3> vertices, const PolygonPlane& plane,
+                   Sides sides) {
+  const double slope = glm::dot(plane.normal, ray.wide_direction);
+  if (slope == 0.0 || (sides == Sides::front && slope > 0.0)) return no_hit;
+  const double per_slope = 1.0 / slope;
+  const double t = glm::dot(plane.normal, plane.point - ray.wide_origin) * per_slope;
+  const double passage = plane.thickness * std::abs(per_slope);
   // Vertices that are not finite give no t that is accepted.
-  if (t == no_hit || !encloses_ray(ray, vertices)) return {};
-  return {t};
+  if (!(ray.t_min < t + passage && t - passage < ray.t_max)) return no_hit;
+  const Place place = place_of(hit_point(ray, plane, t, per_slope), plane, vertices);
+  if (place == Place::outside) return no_hit;
+  if (place == Place::open && !encloses_ray(ray, vertices)) return no_hit;
+  const bool is_long = passage > longest_passage * std::abs(t);
+  const double end = is_long ? std::min(t + passage, exit_of_box(ray, vertices)) : t;
+  return ray.accepts(end) ? end : no_hit;
 }
 
 Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& cell) {

@@ -10,27 +10,23 @@
 
 namespace bspview {
 
+/// The t of a miss.
 inline constexpr double no_hit = std::numeric_limits<double>::infinity();
 
 /// Which sides of a surface a ray can hit. The front of a face is where its vertices run
 /// counter-clockwise; of a sphere or cone the outside, or with negative radii the inside.
 enum class Sides { both, front };
 
-/// Where a ray meets a shape.
-struct ShapeHit {
-  double t = no_hit;         ///< in units of the ray's direction; within 2 ulp of double
-  float u = 0.0f, v = 0.0f;  ///< triangles: weights of the second and third vertex
-  bool operator==(const ShapeHit&) const = default;
-};
-
-/// A ray with what every shape test needs, computed once. Shapes report only hits with
-/// t_min < t < t_max.
+/// A ray with what every shape test needs, computed once. The tests answer with the t of the hit,
+/// in units of the ray's direction, t_min < t < t_max, or with no_hit.
 struct RayQuery {
   /// `reach` bounds |p - origin| on every axis for every vertex p the ray will be tested against;
   /// without it no rounding can be bounded and every test is decided exactly, slowly.
   explicit RayQuery(const Ray& ray, float reach = std::numeric_limits<float>::infinity())
       : origin(ray.origin),
         direction(ray.direction),
+        wide_origin(ray.origin),
+        wide_direction(ray.direction),
         t_min(ray.t_min),
         t_max(ray.t_max),
         reach_error(reach * unit_roundoff) {
@@ -38,23 +34,29 @@ struct RayQuery {
     kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     kx = kz == 2 ? 0 : kz + 1;
     ky = kx == 2 ? 0 : kx + 1;
-    shear_x = direction[kx] / direction[kz];
-    shear_y = direction[ky] / direction[kz];
+    turned = {component(origin, kx), component(origin, ky), component(origin, kz)};
+    shear_x = component(direction, kx) / component(direction, kz);
+    shear_y = component(direction, ky) / component(direction, kz);
+    length2 = glm::dot(wide_direction, wide_direction);
   }
 
   /// `point` seen along the ray: the ray itself is the origin of the plane. Rounding moves it by
   /// less than 8 reach_error on either axis: one unit for each difference of coordinates, three
   /// for the product, two for the last difference, which is at most 2 reach.
-  Vec2 project(Vec3 point) const {
-    const Vec3 p = point - origin;
-    return {p[kx] - shear_x * p[kz], p[ky] - shear_y * p[kz]};
+  Vec2 project(const Vec3& point) const {
+    const float z = component(point, kz) - turned.z;
+    return {(component(point, kx) - turned.x) - shear_x * z,
+            (component(point, ky) - turned.y) - shear_y * z};
   }
   bool accepts(double t) const { return t_min < t && t < t_max; }
 
   Vec3 origin, direction;
+  Vec3d wide_origin, wide_direction;  ///< the same in double
+  double length2;                     ///< direction . direction
   double t_min, t_max;
   float reach_error;  ///< reach x unit round-off
   int kx, ky, kz;     ///< kz: axis of the largest component of the direction
+  Vec3 turned;        ///< the origin's components kx, ky, kz
   float shear_x, shear_y;
 };
 

@@ -28,37 +28,37 @@ struct TextbookRay {
 /// Moeller & Trumbore 1997, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1); the
 /// division comes last, as in their paper's second form for both sides.
 template <class Real>
-inline ShapeHit hit_moeller_trumbore(const TextbookRay<Real>& ray, const Vec3* vertices,
-                                     Sides sides) {
+inline double hit_moeller_trumbore(const TextbookRay<Real>& ray, const Vec3* vertices,
+                                   Sides sides) {
   using Vec = typename TextbookRay<Real>::Vec;
   const Vec corner(vertices[0]);
   const Vec edge1 = Vec(vertices[1]) - corner, edge2 = Vec(vertices[2]) - corner;
   const Vec p = glm::cross(ray.direction, edge2);
   const Real det = glm::dot(edge1, p);  // > 0: seen from the front
-  if (det == Real(0) || (sides == Sides::front && det < Real(0))) return {};
+  if (det == Real(0) || (sides == Sides::front && det < Real(0))) return no_hit;
   const Real inverse = Real(1) / det;
   const Vec from = ray.origin - corner;
   const Real u = glm::dot(from, p) * inverse;
-  if (!(u >= Real(0) && u <= Real(1))) return {};
+  if (!(u >= Real(0) && u <= Real(1))) return no_hit;
   const Vec q = glm::cross(from, edge1);
   const Real v = glm::dot(ray.direction, q) * inverse;
-  if (!(v >= Real(0) && u + v <= Real(1))) return {};
+  if (!(v >= Real(0) && u + v <= Real(1))) return no_hit;
   const Real t = glm::dot(edge2, q) * inverse;
-  if (!ray.accepts(t)) return {};
-  return {t, static_cast<float>(u), static_cast<float>(v)};
+  if (!ray.accepts(t)) return no_hit;
+  return t;
 }
 
 /// The plane, then the crossings of a half-line with the edges along the two axes on which the
 /// polygon is widest (Haines 1994, "Point in Polygon Strategies", Graphics Gems IV).
 template <class Real>
-inline ShapeHit hit_polygon_crossings(const TextbookRay<Real>& ray, std::span<const Vec3> vertices,
-                                      const PolygonPlane& plane, Sides sides) {
+inline double hit_polygon_crossings(const TextbookRay<Real>& ray, std::span<const Vec3> vertices,
+                                    const PolygonPlane& plane, Sides sides) {
   using Vec = typename TextbookRay<Real>::Vec;
   const Vec normal(plane.normal);
   const Real slope = glm::dot(normal, ray.direction);
-  if (slope == Real(0) || (sides == Sides::front && slope > Real(0))) return {};
+  if (slope == Real(0) || (sides == Sides::front && slope > Real(0))) return no_hit;
   const Real t = glm::dot(normal, Vec(plane.point) - ray.origin) / slope;
-  if (!ray.accepts(t)) return {};
+  if (!ray.accepts(t)) return no_hit;
 
   const Vec size = glm::abs(normal);
   const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
@@ -78,28 +78,28 @@ inline ShapeHit hit_polygon_crossings(const TextbookRay<Real>& ray, std::span<co
     from_above = to_above;
     from = &to;
   }
-  return inside ? ShapeHit{t} : ShapeHit{};
+  return inside ? t : no_hit;
 }
 
 /// The quadratic formula in float, discriminant b^2 - 4 a c.
-inline ShapeHit hit_sphere_textbook(const TextbookRay<float>& ray, const Sphere& sphere,
-                                    Sides sides) {
+inline double hit_sphere_textbook(const TextbookRay<float>& ray, const Sphere& sphere,
+                                  Sides sides) {
   const Vec3 f = ray.origin - sphere.centre;
   const float a = glm::dot(ray.direction, ray.direction);
   const float b = 2.0f * glm::dot(f, ray.direction);
   const float c = glm::dot(f, f) - sphere.radius * sphere.radius;
   const float discriminant = b * b - 4.0f * a * c;
-  if (!(discriminant >= 0.0f)) return {};
+  if (!(discriminant >= 0.0f)) return no_hit;
   const float root = std::sqrt(discriminant), scale = 0.5f / a;
   const float enter = (-b - root) * scale;
-  if ((sides == Sides::both || sphere.radius > 0.0f) && ray.accepts(enter)) return {enter};
+  if ((sides == Sides::both || sphere.radius > 0.0f) && ray.accepts(enter)) return enter;
   const float leave = (-b + root) * scale;
-  if ((sides == Sides::both || sphere.radius < 0.0f) && ray.accepts(leave)) return {leave};
-  return {};
+  if ((sides == Sides::both || sphere.radius < 0.0f) && ray.accepts(leave)) return leave;
+  return no_hit;
 }
 
 /// The quadratic of the unbounded cone in float, in coordinates along and across its axis.
-inline ShapeHit hit_cone_textbook(const TextbookRay<float>& ray, const Cone& cone, Sides sides) {
+inline double hit_cone_textbook(const TextbookRay<float>& ray, const Cone& cone, Sides sides) {
   const Vec3 axis = cone.apex - cone.base, f = ray.origin - cone.base;
   const float per_axis2 = 1.0f / glm::dot(axis, axis);
   const float m = glm::dot(f, axis) * per_axis2;
@@ -113,7 +113,7 @@ inline ShapeHit hit_cone_textbook(const TextbookRay<float>& ray, const Cone& con
   const float b = 2.0f * (glm::dot(f_across, d_across) - radius * slope);
   const float c = glm::dot(f_across, f_across) - radius * radius;
   const float discriminant = b * b - 4.0f * a * c;
-  if (!(discriminant >= 0.0f)) return {};
+  if (!(discriminant >= 0.0f)) return no_hit;
   const float root = std::copysign(std::sqrt(discriminant), a), scale = 0.5f / a;
   for (const float t : {(-b - root) * scale, (-b + root) * scale}) {
     const float s = m + t * n;
@@ -122,9 +122,9 @@ inline ShapeHit hit_cone_textbook(const TextbookRay<float>& ray, const Cone& con
       const bool enters = 2.0f * a * t + b < 0.0f;
       if (enters == (cone.base_radius < 0.0f || cone.apex_radius < 0.0f)) continue;
     }
-    return {t};
+    return t;
   }
-  return {};
+  return no_hit;
 }
 
 }  // namespace bspview

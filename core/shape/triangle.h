@@ -19,25 +19,16 @@ inline Vec3d triangle_normal(Vec3 a, Vec3 b, Vec3 c) {
   return glm::cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a));
 }
 
-/// Hit of the plane through `point` with normal `normal`; no_hit for a parallel or hidden plane.
-inline double hit_plane(const RayQuery& ray, Vec3d point, Vec3d normal, Sides sides) {
-  const double slope = glm::dot(normal, Vec3d(ray.direction));
-  if (slope == 0.0 || (sides == Sides::front && slope > 0.0)) return no_hit;
-  const double t = glm::dot(normal, point - Vec3d(ray.origin)) / slope;
-  return ray.accepts(t) ? t : no_hit;
-}
-
-/// Where a ray that is known to pass through a triangle meets it: t right to an ulp of float at
-/// worst, its sign always, the weights from double; no hit outside the ray's interval or from a
-/// hidden side.
-ShapeHit hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides);
+/// Where a ray that is known to pass through a triangle meets it: right to an ulp of float at
+/// worst, its sign always; no hit outside the ray's interval or from a hidden side.
+double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides);
 
 /// hit_triangle with every sign decided by exact arithmetic where double leaves it open.
-ShapeHit hit_triangle_exactly(const RayQuery& ray, const Vec3* vertices, Sides sides);
+double hit_triangle_exactly(const RayQuery& ray, const Vec3* vertices, Sides sides);
 
 /// The exact set of hits: edges and vertices belong to the triangle, a triangle without area or
 /// seen edge-on is missed.
-inline ShapeHit hit_triangle(const RayQuery& ray, const Vec3* vertices, Sides sides) {
+inline double hit_triangle(const RayQuery& ray, const Vec3* vertices, Sides sides) {
   const Vec2 a = ray.project(vertices[0]);
   const Vec2 b = ray.project(vertices[1]);
   const Vec2 c = ray.project(vertices[2]);
@@ -52,12 +43,16 @@ inline ShapeHit hit_triangle(const RayQuery& ray, const Vec3* vertices, Sides si
   const float bound = (18.0f * r + 4.0f * unit_roundoff * size) * size + 160.0f * r * r + 0x1p-120f;
 
   const float least = std::min({u, v, w}), most = std::max({u, v, w});
-  if (least < -bound && most > bound) return {};
+  if (least < -bound && most > bound) return no_hit;
   if (!(least > bound || most < -bound)) return hit_triangle_exactly(ray, vertices, sides);
   return hit_triangle_plane(ray, vertices, sides);
 }
 
-/// The same in double throughout (Moeller & Trumbore 1997): the reference picture's test.
-ShapeHit hit_triangle_double(const RayQuery& ray, const Vec3* vertices, Sides sides);
+/// Weights of the second and third vertex where a ray that hits a triangle does, in double; they
+/// are kept within the triangle.
+Vec2 triangle_weights(const Ray& ray, const Vec3* vertices);
+
+/// hit_triangle in double throughout (Moeller & Trumbore 1997): the reference picture's test.
+double hit_triangle_double(const RayQuery& ray, const Vec3* vertices, Sides sides);
 
 }  // namespace bspview

@@ -26,11 +26,12 @@ struct WoopRay {
 };
 
 /// Watertight in itself; edges that float leaves at exactly 0 are decided again in double.
-inline ShapeHit hit_woop(const WoopRay& ray, const Vec3* vertices, Sides sides) {
+inline double hit_woop(const WoopRay& ray, const Vec3* vertices, Sides sides) {
   const auto seen = [&ray](Vec3 vertex) {
     const Vec3 p = vertex - ray.plain.origin;
-    const float z = p[ray.kz];
-    return Vec3(p[ray.kx] - ray.shear.x * z, p[ray.ky] - ray.shear.y * z, ray.shear.z * z);
+    const float z = component(p, ray.kz);
+    return Vec3(component(p, ray.kx) - ray.shear.x * z, component(p, ray.ky) - ray.shear.y * z,
+                ray.shear.z * z);
   };
   const Vec3 a = seen(vertices[0]), b = seen(vertices[1]), c = seen(vertices[2]);
   float u = c.x * b.y - c.y * b.x, v = a.x * c.y - a.y * c.x, w = b.x * a.y - b.y * a.x;
@@ -43,13 +44,13 @@ inline ShapeHit hit_woop(const WoopRay& ray, const Vec3* vertices, Sides sides) 
     w = area(b, a);
   }
   const float least = std::min({u, v, w}), most = std::max({u, v, w});
-  if (least < 0.0f && (most > 0.0f || sides == Sides::front)) return {};
+  if (least < 0.0f && (most > 0.0f || sides == Sides::front)) return no_hit;
   const float det = u + v + w;
-  if (det == 0.0f) return {};
+  if (det == 0.0f) return no_hit;
   const float inverse = 1.0f / det;
   const float t = (u * a.z + v * b.z + w * c.z) * inverse;
-  if (!ray.plain.accepts(t)) return {};
-  return {t, v * inverse, w * inverse};
+  if (!ray.plain.accepts(t)) return no_hit;
+  return t;
 }
 
 }  // namespace bspview

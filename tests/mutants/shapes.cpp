@@ -1,8 +1,8 @@
 // Wrong tests of objects.
 
-#include "core/render/textbook_shapes.h"
 #include "core/math/float_error.h"
 #include "core/render/scene_tree.h"
+#include "core/render/textbook_shapes.h"
 #include "tests/mutants/mutants.h"
 
 namespace bspview::test {
@@ -32,11 +32,11 @@ Subject with_shapes() {
 
 /// As hit_woop, but with the contracted edge function and without a second look in double.
 struct ContractedFaces : ExactFaces {
-  static ShapeHit triangle(const Query& ray, const Vec3* vertices, Sides sides) {
+  static double triangle(const Query& ray, const Vec3* vertices, Sides sides) {
     const Vec2 a = ray.project(vertices[0]), b = ray.project(vertices[1]),
                c = ray.project(vertices[2]);
     const float u = contracted_edge(c, b), v = contracted_edge(a, c), w = contracted_edge(b, a);
-    if (std::min({u, v, w}) < 0.0f && std::max({u, v, w}) > 0.0f) return {};
+    if (std::min({u, v, w}) < 0.0f && std::max({u, v, w}) > 0.0f) return no_hit;
     return hit_triangle_plane(ray, vertices, sides);
   }
 };

@@ -24,9 +24,9 @@ RayInterval naive_interval(const Tree& tree, const RayWalk& ray) {
 }
 
 void keep_nearer(const World& world, const RayQuery& query, std::uint32_t id, Hit& best) {
-  const ShapeHit hit = hit_object(world.scene, id, query, SideRule::two_sided);
-  const bool nearer = hit.t < best.t || (hit.t == best.t && id < best.object);
-  if (nearer && hit.t != no_hit) best = {hit.t, id, hit.u, hit.v, no_leaf};
+  const double t = hit_object(world.scene, id, query, SideRule::two_sided);
+  const bool nearer = t < best.t || (t == best.t && id < best.object);
+  if (nearer && t != no_hit) best = {t, id, no_leaf};
 }
 
 /// Pharr & Humphreys' form of the walk: the distance of a plane is taken at face value. Calls
@@ -140,7 +140,7 @@ Subject short_sighted_occlusion() {
     bool hit = false;
     walk(world.tree, RayWalk(ray), root_interval, [&](const Node& node, float) {
       for (const std::uint32_t id : world.tree.objects_of(node)) {
-        hit |= hit_object(world.scene, id, query, SideRule::two_sided).t != no_hit;
+        hit |= hit_object(world.scene, id, query, SideRule::two_sided) != no_hit;
       }
       return true;
     });

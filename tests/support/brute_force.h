@@ -9,8 +9,8 @@ inline Hit brute_force(const Scene& scene, const Ray& ray, SideRule sides = Side
   const RayQuery query(ray, reach_of(scene_bounds(scene), ray.origin));
   Hit best;
   for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
-    const ShapeHit hit = hit_object(scene, id, query, sides);
-    if (hit.t < best.t) best = {hit.t, id, hit.u, hit.v, no_leaf};
+    const double t = hit_object(scene, id, query, sides);
+    if (t < best.t) best = {t, id, no_leaf};
   }
   return best;
 }

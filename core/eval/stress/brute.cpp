@@ -85,11 +85,9 @@ Hit BruteForce::closest(const Ray& ray) const {
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const std::uint32_t id = objects_[i];
-      const ShapeHit hit = hit_object(scene_, id, query, SideRule::two_sided);
-      if (hit.t == no_hit) continue;
-      if (hit.t < best.t || (hit.t == best.t && id < best.object)) {
-        best = {hit.t, id, hit.u, hit.v, no_leaf};
-      }
+      const double t = hit_object(scene_, id, query, SideRule::two_sided);
+      if (t == no_hit) continue;
+      if (t < best.t || (t == best.t && id < best.object)) best = {t, id, no_leaf};
     }
   }
   return best;

@@ -93,11 +93,11 @@ Complaint leave_lonely_object(const Subject& subject, Dice& dice) {
     const Vec3 target = aim_at(scene, box, Aim::anywhere, dice);
     const Vec3 origin = box.centre() + 2.0f * largest_component(box.extent()) * dice.direction();
     const Ray ray{origin, target - origin};
-    const ShapeHit hit = subject.shape(scene, 0, ray, box);
-    if (hit.t == no_hit) continue;
-    const auto leaving = leave(subject, scene, {hit.t, 0, hit.u, hit.v, no_leaf}, ray, dice);
+    const double t = subject.shape(scene, 0, ray, box);
+    if (t == no_hit) continue;
+    const auto leaving = leave(subject, scene, {t, 0, no_leaf}, ray, dice);
     if (!leaving) continue;
-    const double again = subject.shape(scene, 0, leaving->ray, box).t;
+    const double again = subject.shape(scene, 0, leaving->ray, box);
     if (again < leaving->nearest) return describe_return(scene, *leaving, again);
   }
   return std::nullopt;

@@ -49,20 +49,18 @@ Quadric random_quadric(Dice& dice) {
 }
 
 /// 1 ulp; at a tangent, whose chord is shorter than 2^-10 of the radius, the length of that too.
-bool agrees(const ShapeHit& hit, const ExactHit& exact, double chord) {
+bool agrees(double t, const ExactHit& exact, double chord) {
   const double slack = exact.meeting == Meeting::undecided ? 0x1p-10 * chord : 0.0;
-  return std::abs(hit.t - exact.t) <= float_ulp * std::abs(exact.t) + slack;
+  return std::abs(t - exact.t) <= float_ulp * std::abs(exact.t) + slack;
 }
 
-bool is_right(const ShapeHit& hit, const ExactHits& exact, double chord) {
+bool is_right(double t, const ExactHits& exact, double chord) {
   for (const ExactHit& meeting : exact) {
     const bool sure = meeting.meeting == Meeting::interior || meeting.meeting == Meeting::border;
-    if (hit.t == no_hit && sure) return false;
-    if (hit.t != no_hit && meeting.meeting != Meeting::miss && agrees(hit, meeting, chord)) {
-      return true;
-    }
+    if (t == no_hit && sure) return false;
+    if (t != no_hit && meeting.meeting != Meeting::miss && agrees(t, meeting, chord)) return true;
   }
-  return hit.t == no_hit;
+  return t == no_hit;
 }
 
 }  // namespace
@@ -72,12 +70,11 @@ Result<Trial> prepare_far_quadrics(const Setting& setting) {
     const Quadric quadric = random_quadric(dice);
     const Ray ray = far_ray(quadric.scene, quadric.size, dice);
     const ExactHits exact = exact_hits(quadric.scene, 0, ray, Sides::both);
-    const ShapeHit hit = subject.shape(quadric.scene, 0, ray, object_bounds(quadric.scene, 0));
+    const double t = subject.shape(quadric.scene, 0, ray, object_bounds(quadric.scene, 0));
     const double chord = quadric.size / glm::length(Vec3d(ray.direction));
-    if (is_right(hit, exact, chord)) return std::nullopt;
+    if (is_right(t, exact, chord)) return std::nullopt;
     return fmt::format("{}: {}: expected {:a} or {:a}, found {:a}",
-                       describe_object(quadric.scene, 0), describe(ray), exact[0].t, exact[1].t,
-                       hit.t);
+                       describe_object(quadric.scene, 0), describe(ray), exact[0].t, exact[1].t, t);
   });
 }
 

@@ -13,7 +13,7 @@ bool occluded(const World& world, const Ray& ray) {
   return any_hit(world, ray, {}, none) != no_index;
 }
 
-ShapeHit shape(const Scene& scene, std::uint32_t object, const Ray& ray, const Aabb& all) {
+double shape(const Scene& scene, std::uint32_t object, const Ray& ray, const Aabb& all) {
   return hit_object(scene, object, RayQuery(ray, reach_of(all, ray.origin)), SideRule::two_sided);
 }
 

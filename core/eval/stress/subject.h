@@ -13,7 +13,7 @@ struct Subject {
   /// Whether anything is hit.
   bool (*occluded)(const World&, const Ray&);
   /// One object alone; `all` is the box of everything in the scene.
-  ShapeHit (*shape)(const Scene&, std::uint32_t object, const Ray&, const Aabb& all);
+  double (*shape)(const Scene&, std::uint32_t object, const Ray&, const Aabb& all);
   /// Twice the signed area of (0, p, q): the edge function.
   float (*edge)(Vec2 p, Vec2 q);
   Vec3 (*leaving)(const Surface&, Vec3d direction);

@@ -98,14 +98,16 @@ AimedTriangle well_posed_triangle(Dice& dice) {
   }
 }
 
-Complaint judge_inside_hit(const AimedTriangle& aimed, const ShapeHit& hit) {
+Complaint judge_inside_hit(const AimedTriangle& aimed, double t) {
   const auto& [corners, scene, ray, exact_t] = aimed;
   const Weights exact = exact_weights(ray, corners);
-  const Vec3d found = Vec3d(ray.origin) + hit.t * Vec3d(ray.direction);
+  const Vec2 found_weights = triangle_weights(ray, corners.data());
+  const Vec3d found = Vec3d(ray.origin) + t * Vec3d(ray.direction);
   const Vec3d point = Vec3d(ray.origin) + exact_t * Vec3d(ray.direction);
   const double size = glm::length(point);
-  const double t_error = std::abs(hit.t - exact_t) / (ulp * exact_t);
-  const double u_error = std::abs(hit.u - exact.u) / ulp, v_error = std::abs(hit.v - exact.v) / ulp;
+  const double t_error = std::abs(t - exact_t) / (ulp * exact_t);
+  const double u_error = std::abs(found_weights.x - exact.u) / ulp;
+  const double v_error = std::abs(found_weights.y - exact.v) / ulp;
   const double point_error = glm::length(found - point) / (ulp * size);
   if (t_error <= 16 && u_error <= 16 && v_error <= 16 && point_error <= 16) return std::nullopt;
   return fmt::format(
@@ -143,12 +145,12 @@ Corners flat_corners(Dice& dice) {
 Result<Trial> prepare_aimed_triangles(const Setting& setting) {
   return Trial([subject = setting.subject](Dice& dice) -> Complaint {
     const AimedTriangle aimed = well_posed_triangle(dice);
-    const ShapeHit hit = subject.shape(aimed.scene, 0, aimed.ray, object_bounds(aimed.scene, 0));
-    if (hit.t == no_hit) {
+    const double t = subject.shape(aimed.scene, 0, aimed.ray, object_bounds(aimed.scene, 0));
+    if (t == no_hit) {
       return fmt::format("{}: {}: expected a hit at {:a}, found nothing",
                          describe_object(aimed.scene, 0), describe(aimed.ray), aimed.exact_t);
     }
-    return judge_inside_hit(aimed, hit);
+    return judge_inside_hit(aimed, t);
   });
 }
 
@@ -162,14 +164,15 @@ Result<Trial> prepare_triangle_sizes(const Setting& setting) {
                           corner + width * dice.direction()};
     const AimedTriangle aimed = aim_inside(corners, dice);
     if (aimed.exact_t == no_hit) return std::nullopt;
-    const ShapeHit hit = subject.shape(aimed.scene, 0, aimed.ray, object_bounds(aimed.scene, 0));
-    const bool inside = hit.u >= 0.0f && hit.v >= 0.0f && hit.u <= 1.0f && hit.v <= 1.0f;
-    if (std::isfinite(hit.t) && std::abs(hit.t / aimed.exact_t - 1.0) <= ulp && inside) {
+    const double t = subject.shape(aimed.scene, 0, aimed.ray, object_bounds(aimed.scene, 0));
+    const Vec2 w = triangle_weights(aimed.ray, corners.data());
+    const bool inside = w.x >= 0.0f && w.y >= 0.0f && w.x <= 1.0f && w.y <= 1.0f;
+    if (std::isfinite(t) && std::abs(t / aimed.exact_t - 1.0) <= ulp && inside) {
       return std::nullopt;
     }
     return fmt::format("{}: {}: expected a hit at {:a}, found {:a} at weights {:a} {:a}",
-                       describe_object(aimed.scene, 0), describe(aimed.ray), aimed.exact_t, hit.t,
-                       hit.u, hit.v);
+                       describe_object(aimed.scene, 0), describe(aimed.ray), aimed.exact_t, t, w.x,
+                       w.y);
   });
 }
 
@@ -185,10 +188,11 @@ Result<Trial> prepare_flat_triangles(const Setting& setting) {
     const Vec3 origin = dice.one_in(4) ? corners[0] + 2.0f * (corners[1] - corners[0])
                                        : aim + reach * dice.direction();
     const Ray ray{origin, aim - origin};
-    const ShapeHit hit = subject.shape(scene, 0, ray, box);
-    if (hit.t == no_hit && !std::isnan(hit.u) && !std::isnan(hit.v)) return std::nullopt;
+    const double t = subject.shape(scene, 0, ray, box);
+    const Vec2 weights = triangle_weights(ray, corners.data());
+    if (t == no_hit && !std::isnan(weights.x) && !std::isnan(weights.y)) return std::nullopt;
     return fmt::format("{}: {}: expected nothing, found {:a}", describe_object(scene, 0),
-                       describe(ray), hit.t);
+                       describe(ray), t);
   });
 }
 

@@ -156,8 +156,8 @@ Hit nearest_defined(const Subject& subject, const Forest& forest, const Ray& ray
   Hit best;
   for (std::uint32_t id = 0; id < forest.scene->objects.size(); ++id) {
     if (!is_defined(*forest.scene, id, ray)) continue;
-    const ShapeHit hit = subject.shape(*forest.scene, id, ray, forest.brute.bounds());
-    if (hit.t < best.t) best = {hit.t, id, hit.u, hit.v, no_leaf};
+    const double t = subject.shape(*forest.scene, id, ray, forest.brute.bounds());
+    if (t < best.t) best = {t, id, no_leaf};
   }
   return best;
 }

@@ -206,5 +206,12 @@ TEST(Reference, ASharedBorderMustBeHitAndALonelyOneMay) {
   EXPECT_EQ(reference.judge(lonely, no_index, no_hit).verdict, Verdict::undecided);
 }
 
+TEST(Reference, AHitAtTheOriginOfARayIsRight) {
+  const Scene scene = one_face({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  Ray ray = ray_to({0.25f, 0.25f, 0.0f}, {0.5f, 0.25f, 1.0f});
+  ray.t_min = -1.0f;
+  EXPECT_EQ(Reference(scene).judge(ray, 0, 0.0, SideRule::two_sided).verdict, Verdict::right);
+}
+
 }  // namespace
 }  // namespace bspview

@@ -17,7 +17,7 @@ using test::Random;
 const std::vector<Vec3> ell{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
 
 double hit(const RayQuery& ray, std::span<const Vec3> vertices, Sides sides = Sides::both) {
-  return hit_polygon(ray, vertices, polygon_plane(vertices), sides).t;
+  return hit_polygon(ray, vertices, polygon_plane(vertices), sides);
 }
 
 double hit_at(float x, float y, std::span<const Vec3> vertices) {
@@ -45,6 +45,60 @@ TEST(Polygon, EveryPointOfASharedEdgeBelongsToExactlyOne) {
     const int hits = (hit(ray, left) != no_hit) + (hit(ray, right) != no_hit);
     ASSERT_EQ(hits, 1) << "trial " << trial;
   }
+}
+
+TEST(Polygon, KnownReachChangesTheSpeedAlone) {
+  // Without a reach no rounding is bounded, and every test is decided exactly.
+  Random random(8);
+  int hits = 0;
+  for (int trial = 0; trial < 100000; ++trial) {
+    const Vec3 centre = random.point(trial % 2 == 0 ? 1.0f : 1000.0f);
+    const Vec3 u = random.direction(), v = glm::normalize(glm::cross(u, random.direction()));
+    std::vector<Vec3> corners;
+    for (const Vec3& corner : ell) corners.push_back(centre + corner.x * u + corner.y * v);
+    const Vec3 from = corners[static_cast<std::size_t>(random.below(6))];
+    const Vec3 to = corners[static_cast<std::size_t>(random.below(6))];
+    const float share = random.below(3) == 0 ? 0.0f : random.unit();
+    const Vec3 origin = centre + random.between(0.001f, 100.0f) * random.direction();
+    const Ray ray{origin, (from + share * (to - from)) - origin};
+    float reach = 0.0f;
+    for (const Vec3& corner : corners)
+      reach = std::max(reach, largest_component(glm::abs(corner - origin)));
+    const double exact = hit(RayQuery(ray), corners);
+    ASSERT_EQ(hit(RayQuery(ray, reach), corners), exact) << "trial " << trial;
+    hits += exact != no_hit;
+  }
+  EXPECT_GT(hits, 20000);
+}
+
+TEST(Polygon, OffItsPlaneItIsMetNoLaterThanItsBoxEndsAndNoSoonerThanItsPlane) {
+  Random random(9);
+  int moved = 0;
+  for (int trial = 0; trial < 100000; ++trial) {
+    const Vec3 centre = 200000.0f * random.direction();  // floats lie 1/64 apart
+    const Vec3 u = random.direction(), v = glm::normalize(glm::cross(u, random.direction()));
+    std::vector<Vec3> corners;
+    for (const Vec3& corner : ell) corners.push_back(centre + corner.x * u + corner.y * v);
+    const Ray ray{centre + 5.0f * random.direction(), random.direction()};
+    const PolygonPlane plane = polygon_plane(corners);
+    const double t = hit_polygon(RayQuery(ray, 16.0f), corners, plane, Sides::both);
+    if (t == no_hit) continue;
+    const Vec3d way(ray.direction);
+    const double slope = glm::dot(plane.normal, way);
+    const double at_plane = glm::dot(plane.normal, plane.point - Vec3d(ray.origin)) / slope;
+    ASSERT_GE(t, at_plane - 1e-12 * std::abs(at_plane)) << "trial " << trial;
+    ASSERT_LE(t, at_plane + 1.01 * plane.thickness / std::abs(slope)) << "trial " << trial;
+    if (t <= at_plane * (1.0 + 1e-5)) continue;
+    ++moved;
+    Aabb box;
+    for (const Vec3& corner : corners) box.grow(corner);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = ray.origin[axis] + t * way[axis];
+      const double beyond = way[axis] > 0.0 ? at - box.hi[axis] : box.lo[axis] - at;
+      ASSERT_LE(beyond, 1e-6) << "trial " << trial;
+    }
+  }
+  EXPECT_GT(moved, 300);
 }
 
 TEST(Polygon, FrontIsWhereVerticesRunCounterClockwise) {
