@@ -44,32 +44,33 @@ std::string plots(const ErrorReport& report, const ErrorPool& pool,
   return html + "</div>\n";
 }
 
-std::string keys() {
+std::string keys(const ErrorReport& report) {
+  std::vector<std::pair<const char*, const char*>> kinds{{"float", "Moeller-Trumbore in float"},
+                                                         {"woop", "Woop 2013 in float"},
+                                                         {"double", "Moeller-Trumbore in double"},
+                                                         {"exact", "exact faces"}};
+  if (has_foreign(report)) kinds.emplace_back("foreign", "Embree");
   std::string html = "<p class=\"keys\">";
-  for (const auto& [kind, name] :
-       {std::pair("float", "Moeller-Trumbore in float"), std::pair("woop", "Woop 2013 in float"),
-        std::pair("double", "Moeller-Trumbore in double"), std::pair("exact", "exact faces"),
-        std::pair("foreign", "Embree")}) {
+  for (const auto& [kind, name] : kinds) {
     html += fmt::format("<span><i class=\"key {}\"></i>{}</span>", kind, name);
   }
-  return html +
-         "</p>\n<p class=\"quiet\">Open marks: none found, drawn at the upper bound 3 / N. The "
-         "ring "
-         "is the default, the dashed line the Pareto front. Point at a mark for its name.</p>\n";
+  return html + "</p>\n<p class=\"quiet\">" +
+         "Open marks: none found, drawn at the upper bound 3 / N. The ring is the default, the "
+         "dashed line the Pareto front. Point at a mark for its name. " +
+         embree_sentence(report) + "</p>\n";
 }
 
 std::string section_of_rays(const ErrorReport& report) {
   const ErrorPool all = pool_of_all(report), triangles = pool_of_triangles(report);
   std::string html = "<h2>Rays</h2>\n<p class=\"quiet\">" + scenes_of(report, all) + "</p>\n" +
-                     keys() + plots(report, all, all_metrics);
+                     keys(report) + plots(report, all, all_metrics);
   if (!triangles.configs.empty()) {
-    html +=
-        "<h2>Scenes of triangles only</h2>\n<p class=\"quiet\">" + scenes_of(report, triangles) +
-        ": here edges and vertices are aimed at. Embree answers these scenes alone; scenes with "
-        "other objects are left out for it.</p>\n" +
-        plots(report, triangles, triangle_metrics);
+    html += "<h2>Scenes of triangles only</h2>\n<p class=\"quiet\">" +
+            scenes_of(report, triangles) + ": here edges and vertices are aimed at" +
+            (has_foreign(report) ? ", and Embree answers, too" : "") + ".</p>\n" +
+            plots(report, triangles, triangle_metrics);
   }
-  html += "<h2>Accurate at no price worth saving</h2>\n" + price_table_html(report);
+  html += "<h2>What the default costs</h2>\n" + price_table_html(report);
   html += "<h2>All configurations</h2>\n" + pool_table_html(report, all, all_metrics);
   if (!triangles.configs.empty()) {
     html += "<h3>Scenes of triangles only</h3>\n" +
@@ -82,8 +83,7 @@ std::string section_of_images(const ErrorStudy& study) {
   if (study.images.empty()) return "";
   std::string html =
       "<h2>Pictures</h2>\n<p>Error against a converged picture: uniform sampling, adaptive "
-      "sampling "
-      "(--adaptive), and rays left out where they count for little (--cutoff).</p>\n";
+      "sampling (--adaptive), and rays left out where they count for little (--cutoff).</p>\n";
   for (const SceneImageError& image : study.images) html += image_section(image);
   return html;
 }

@@ -83,6 +83,10 @@ std::optional<Estimate> estimate(const ErrorCounts& counts, Metric metric) {
   return ulp(counts.t_error, counts.t_error.largest());
 }
 
+bool has_foreign(const ErrorReport& report) {
+  return std::ranges::any_of(report.configs, [](const ErrorConfig& one) { return !one.choice; });
+}
+
 ErrorPool pool(const ErrorReport& report, std::vector<std::size_t> scenes) {
   ErrorPool pool{std::move(scenes), {}};
   for (std::size_t i = 0; i < report.configs.size(); ++i) {

@@ -36,6 +36,9 @@ struct Estimate {
 /// Nothing for what was not measured at all.
 std::optional<Estimate> estimate(const ErrorCounts& counts, Metric metric);
 
+/// Whether Embree is among the configurations: the build found it.
+bool has_foreign(const ErrorReport& report);
+
 /// One configuration over the scenes of a pool.
 struct PooledConfig {
   std::size_t config = 0;  ///< index into ErrorReport::configs

@@ -39,6 +39,9 @@ std::string to_html(const ErrorStudy& study);
 /// What to do, in sentences of figures: one about rays, two a picture.
 std::vector<std::string> verdict(const ErrorStudy& study);
 
+/// A sentence where Embree was not there when this was built; else empty.
+std::string embree_sentence(const ErrorReport& report);
+
 /// "processor time of one thread", "wall-clock time of 4 threads"
 std::string clock_text(int timing_threads);
 

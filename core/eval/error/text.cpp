@@ -127,6 +127,8 @@ std::string introduction(const ErrorReport& report) {
 
 std::string rays_text(const ErrorReport& report) {
   std::string text = introduction(report);
+  if (const std::string sentence = embree_sentence(report); !sentence.empty())
+    text += sentence + "\n";
   const ErrorPool all = pool_of_all(report);
   text += heading("Scenes: " + scene_names(report, all.scenes));
   text += pool_table(report, all, ordinary_columns);

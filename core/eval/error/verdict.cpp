@@ -102,6 +102,11 @@ std::string cutoff_verdict(const SceneImageError& image) {
 
 }  // namespace
 
+std::string embree_sentence(const ErrorReport& report) {
+  if (has_foreign(report)) return "";
+  return "Embree is not compared with: libembree-dev was not there when bspeval was built.";
+}
+
 std::string clock_text(int timing_threads) {
   return timing_threads == 1 ? "processor time of one thread"
                              : fmt::format("wall-clock time of {} threads", timing_threads);

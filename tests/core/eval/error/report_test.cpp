@@ -98,6 +98,18 @@ TEST(ErrorReport, CsvHasALineForEveryConfigurationAndPool) {
   EXPECT_EQ(occurrences(csv, "\"default\""), 4u);  // all, triangles, two scenes
 }
 
+TEST(ErrorReport, SaysSoWhereEmbreeIsNotThere) {
+  ErrorStudy study = small_study();
+  while (has_foreign(study.rays)) {
+    study.rays.configs.pop_back();
+    for (SceneErrors& scene : study.rays.scenes) scene.measured.pop_back();
+  }
+  for (const std::string& text : {to_text(study), to_html(study)}) {
+    EXPECT_NE(text.find("libembree-dev was not there"), std::string::npos);
+    EXPECT_EQ(text.find("Embree answers"), std::string::npos);
+  }
+}
+
 TEST(ErrorReport, AdaptiveSamplingIsJudgedByWhatItSavesAtEqualError) {
   const std::string sentence = verdict(small_study())[1];
   EXPECT_NE(sentence.find("<random>: "), std::string::npos);
