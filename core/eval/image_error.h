@@ -35,9 +35,9 @@ inline constexpr ImageBias adaptive_bias_bound{0.1, 0.5, 1.0};
 struct ImageErrorParams {
   RenderParams render;           ///< size, ray depth, traversal, threads; the rest is replaced
   int reference_samples = 1024;  ///< rays a pixel of the converged picture: uniform, no cut-off
-  std::vector<int> samples{1, 2, 4, 8, 16, 32, 64, 128};       ///< of uniform sampling
-  std::vector<float> thresholds{0.04f, 0.02f, 0.01f, 0.005f};  ///< of adaptive sampling
-  int adaptive_samples = 256;                                  ///< most rays a pixel there
+  std::vector<int> samples{1, 2, 4, 8, 16, 32, 64};    ///< of uniform sampling
+  std::vector<float> thresholds{0.04f, 0.02f, 0.01f};  ///< of adaptive sampling
+  int adaptive_samples = 256;                          ///< most rays a pixel there
   std::vector<float> cutoffs{0.002f, 0.01f, 0.05f};  ///< each with uniform sampling; 0 comes anyway
   std::vector<int> cutoff_samples{4, 16, 64};        ///< there
   int repeats = 9;                                   ///< of each picture, interleaved
