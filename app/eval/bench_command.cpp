@@ -1,12 +1,15 @@
-#include <array>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "app/eval/commands.h"
 #include "app/eval/progress.h"
 #include "core/base/file.h"
+#include "core/eval/bench/povray.h"
 #include "core/eval/bench/report.h"
+#include "core/eval/bench/scale.h"
 #include "core/scene/load.h"
+#include "core/scene/spd.h"
 #include "core/scene/triangulate.h"
 
 namespace bspview {
@@ -24,6 +27,9 @@ struct BenchOptions {
   std::vector<std::string> kinds;
   std::string folder;
   std::string json;
+  bool scale = false;
+  bool povray = false;
+  double max_objects = ScaleParams{}.max_objects;
   bool quiet = false;
 };
 
@@ -60,35 +66,81 @@ BenchParams bench_params(const BenchOptions& options) {
   return params;
 }
 
-Result<void> save(const BenchReport& report, const BenchOptions& options) {
+/// What there is to save of a report.
+struct Texts {
+  std::string text, json;
+  std::vector<std::pair<std::string, std::string>> files;  // name in the folder, content
+};
+
+Texts texts_of(const BenchReport& report) {
+  const std::string json = to_json(report);
+  return {to_text(report),
+          json,
+          {{"bench.csv", to_csv(report)}, {"bench.json", json}, {"bench.svg", to_svg(report)}}};
+}
+
+Texts texts_of(const ScaleReport& report) {
+  const std::string json = to_json(report);
+  return {to_text(report), json, {{"scale.csv", to_csv(report)}, {"scale.json", json}}};
+}
+
+Result<void> save(const Texts& texts, const BenchOptions& options) {
   if (!options.folder.empty()) {
-    const std::filesystem::path folder(options.folder);
-    const std::pair<const char*, std::string> files[]{{"bench.csv", to_csv(report)},
-                                                      {"bench.json", to_json(report)},
-                                                      {"bench.svg", to_svg(report)}};
-    for (const auto& [name, text] : files) {
-      if (const auto written = write_file(folder / name, text); !written) return written;
+    for (const auto& [name, text] : texts.files) {
+      const auto written = write_file(std::filesystem::path(options.folder) / name, text);
+      if (!written) return written;
     }
   }
   if (!options.json.empty()) {
-    if (const auto written = write_output(options.json, to_json(report)); !written) return written;
+    if (const auto written = write_output(options.json, texts.json); !written) return written;
   }
-  return options.json == "-" ? Result<void>() : write_output("-", to_text(report));
+  return options.json == "-" ? Result<void>() : write_output("-", texts.text);
+}
+
+Texts texts_of(const PovrayReport& report) {
+  const std::string json = to_json(report);
+  return {to_text(report), json, {{"povray.csv", to_csv(report)}, {"povray.json", json}}};
+}
+
+constexpr std::size_t classic_scenes = 8;  // of standard_scenes
+
+Result<Texts> measure_pictures(const BenchOptions& options, const Watch& watch) {
+  std::vector<std::string> names = options.scenes;
+  if (names.empty())
+    names.assign(standard_scenes.begin(), standard_scenes.begin() + classic_scenes);
+  const auto scenes = load_scenes(names);
+  if (!scenes) return scenes.error();
+  const PovrayParams params{.build = options.tree.build, .repeats = options.params.repeats};
+  const auto report = run_povray(*scenes, params, watch);
+  return report ? Result<Texts>(texts_of(*report)) : report.error();
+}
+
+Result<Texts> measure_scale(const BenchOptions& options, const Watch& watch) {
+  ScaleParams params{.bench = bench_params(options), .max_objects = options.max_objects};
+  params.thread_objects = std::min(params.thread_objects, params.max_objects);
+  const auto report = run_scale(params, watch);
+  return report ? Result<Texts>(texts_of(*report)) : report.error();
+}
+
+Result<Texts> measure(const BenchOptions& options, const Watch& watch) {
+  if (options.scale) return measure_scale(options, watch);
+  if (options.povray) return measure_pictures(options, watch);
+  const auto scenes = load_scenes(options.scenes);
+  if (!scenes) return scenes.error();
+  const auto report = run_bench(*scenes, bench_params(options), watch);
+  return report ? Result<Texts>(texts_of(*report)) : report.error();
 }
 
 Result<void> run_bench_command(const BenchOptions& options) {
   if (const auto ready = check_output(options.json); !ready) return ready;
   if (const auto ready = make_folder(options.folder); !ready) return ready;
-  const auto scenes = load_scenes(options.scenes);
-  if (!scenes) return scenes.error();
-  const auto report = [&] {
+  const auto texts = [&] {
     Progress progress("scenes", 1.0, options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
     Watch watch;
     watch.progress = [&](double more) { progress.add(more); };
-    return run_bench(*scenes, bench_params(options), watch);
+    return measure(options, watch);
   }();
-  if (!report) return report.error();
-  return save(*report, options);
+  return texts ? save(*texts, options) : texts.error();
 }
 
 std::string check_segments(const std::string& text) {
@@ -99,21 +151,10 @@ std::vector<std::string> kind_names() {
   return {bench_kind_names().begin(), bench_kind_names().end()};
 }
 
-void add_bench_options(CLI::App& command, BenchOptions& options) {
-  command
-      .add_option("SCENE", options.scenes,
-                  "Scene files, or spd:NAME[:SIZE]; default: the eight classic scenes and four "
-                  "larger ones")
-      ->type_name("");
-  add_tree_options(command, options.tree);
-  command.get_option("--threads")->description("Threads that build; one is timed");
+void add_ray_options(CLI::App& command, BenchOptions& options) {
   BenchParams& params = options.params;
   command.add_option("--rays", params.rays, "About so many rays of every kind a scene")
       ->check(CLI::Range(1, 100000000).description(""))
-      ->type_name("N")
-      ->capture_default_str();
-  command.add_option("--repeat", params.repeats, "Time everything N times, interleaved")
-      ->check(CLI::Range(1, 100000).description(""))
       ->type_name("N")
       ->capture_default_str();
   command
@@ -130,7 +171,44 @@ void add_bench_options(CLI::App& command, BenchOptions& options) {
       ->check(CLI::Validator(check_segments, ""))
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("-o", options.folder, "Folder for bench.csv, bench.json and bench.svg")
+}
+
+void add_other_modes(CLI::App& command, BenchOptions& options) {
+  CLI::Option* scale = command.add_flag(
+      "--scale", options.scale,
+      "Measure standard scenes in growing sizes, and threads from one to all, instead");
+  for (const char* other : {"SCENE", "--segments"}) scale->excludes(command.get_option(other));
+  command.add_option("--max-objects", options.max_objects, "With --scale: of the largest scenes")
+      ->check(CLI::Range(1000, static_cast<int>(max_spd_objects)).description(""))
+      ->needs(scale)
+      ->type_name("N")
+      ->default_str("1000000");
+  CLI::Option* povray = command.add_flag(
+      "--povray", options.povray,
+      "Measure whole pictures beside POV-Ray instead; default: the eight classic scenes");
+  povray->excludes(scale);
+  for (const char* other : {"--rays", "--kinds", "--segments"}) {
+    povray->excludes(command.get_option(other));
+  }
+}
+
+void add_bench_options(CLI::App& command, BenchOptions& options) {
+  command
+      .add_option("SCENE", options.scenes,
+                  "Scene files, or spd:NAME[:SIZE]; default: the eight classic scenes and four "
+                  "larger ones")
+      ->type_name("");
+  add_tree_options(command, options.tree);
+  command.get_option("--threads")->description("Threads that build; one is timed");
+  add_ray_options(command, options);
+  command.add_option("--repeat", options.params.repeats, "Time everything N times, interleaved")
+      ->check(CLI::Range(1, 100000).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  add_other_modes(command, options);
+  command
+      .add_option("-o", options.folder,
+                  "Folder for bench.csv, .json and .svg; scale.csv and .json; povray.csv and .json")
       ->type_name("DIR");
   add_json(command, options.json);
 }

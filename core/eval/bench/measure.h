@@ -9,8 +9,8 @@
 namespace bspview {
 
 struct BenchParams {
-  BuildParams build;          ///< of our trees; its threads build, none of them is timed
-  std::size_t rays = 262144;  ///< about as many of every kind
+  BuildParams build;         ///< of our trees; its threads build, none of them is timed
+  std::size_t rays = 65536;  ///< about as many of every kind
   int repeats = 9;
   std::vector<BenchKind> kinds{BenchKind::primary, BenchKind::shadow, BenchKind::scattered};
   int segments = 8;  ///< of round shapes as triangles, see triangulate

@@ -29,6 +29,34 @@ TEST_F(BenchCommand, KindsAreMeasuredInTheirOrderHoweverTheyAreAskedFor) {
   EXPECT_TRUE(kinds.contains("primary") && kinds.contains("shadow"));
 }
 
+TEST_F(BenchCommand, ScaleMeasuresGrowingScenes) {
+  const Outcome outcome =
+      run("bench --scale --max-objects 1100 --rays 64 --repeat 1 --kinds primary -o scale");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("tetra, ns per ray at so many objects"), std::string::npos);
+  EXPECT_TRUE(exists("scale/scale.csv") && exists("scale/scale.json"));
+}
+
+TEST_F(BenchCommand, ScaleHasScenesOfItsOwn) {
+  EXPECT_EQ(run("bench s.nff --scale").exit_code, 2);
+  EXPECT_EQ(run("bench s.nff --max-objects 2000").exit_code, 2);
+  EXPECT_EQ(run("bench --scale --max-objects 10").exit_code, 2);
+}
+
+TEST_F(BenchCommand, PovRayTakesNoRays) {
+  EXPECT_EQ(run("bench s.nff --povray --rays 5").exit_code, 2);
+  EXPECT_EQ(run("bench --povray --scale").exit_code, 2);
+}
+
+TEST_F(BenchCommand, WithoutPovRayThatIsSaid) {
+  const Outcome outcome = run("bench s.nff --povray --repeat 1 --json -");
+  if (outcome.exit_code == 0) {
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["pictures"].size(), 1u);
+  } else {
+    EXPECT_EQ(outcome.err, "bspeval: povray: does not run; install povray for --povray\n");
+  }
+}
+
 TEST_F(BenchCommand, WhatCannotBeDoneIsSaidBeforeTheWork) {
   EXPECT_EQ(run("bench missing.nff").exit_code, 1);
   EXPECT_EQ(run("bench s.nff --rays 0").exit_code, 2);
