@@ -46,14 +46,14 @@ inline double hit_object(const Scene& scene, std::uint32_t id, const RayQuery& r
     case ObjectKind::cone:
       break;
   }
-  return hit_cone(ray, scene.cones[object.shape], sides);
+  return hit_cone(ray, scene.cone_frames[object.shape], sides);
 }
 
 /// The tests of all pictures. Another type with the same members tries other tests (core/eval).
 struct ExactShapes {
   using Query = RayQuery;
   static Query query(const World& world, const Ray& ray) {
-    return RayQuery(ray, reach_of(world.tree.box, ray.origin));
+    return RayQuery(ray, reach_of(world.tree.box, ray.origin), has_triangles(world.scene));
   }
   static double hit(const Scene& scene, std::uint32_t id, const Query& ray, SideRule rule) {
     return hit_object(scene, id, ray, rule);

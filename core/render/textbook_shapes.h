@@ -54,7 +54,7 @@ struct FloatQuadrics {
   static double sphere(const Query& ray, const Sphere& sphere, Sides sides) {
     return hit_sphere_textbook(ray, sphere, sides);
   }
-  static double cone(const Query& ray, const Cone& cone, Sides sides) {
+  static double cone(const Query& ray, const Cone& cone, const ConeFrame&, Sides sides) {
     return hit_cone_textbook(ray, cone, sides);
   }
 };
@@ -66,8 +66,8 @@ struct DoubleQuadrics {
   static double sphere(const Query& ray, const Sphere& sphere, Sides sides) {
     return hit_sphere(ray, sphere, sides);
   }
-  static double cone(const Query& ray, const Cone& cone, Sides sides) {
-    return hit_cone(ray, cone, sides);
+  static double cone(const Query& ray, const Cone&, const ConeFrame& frame, Sides sides) {
+    return hit_cone(ray, frame, sides);
   }
 };
 
@@ -96,7 +96,8 @@ struct MixedShapes {
       case ObjectKind::cone:
         break;
     }
-    return Quadrics::cone(ray.quadric, scene.cones[object.shape], sides);
+    return Quadrics::cone(ray.quadric, scene.cones[object.shape], scene.cone_frames[object.shape],
+                          sides);
   }
 };
 

@@ -109,6 +109,7 @@ void add_sphere(Scene& scene, std::uint32_t material, const Sphere& sphere) {
 
 void add_cone(Scene& scene, std::uint32_t material, const Cone& cone) {
   scene.cones.push_back(cone);
+  scene.cone_frames.emplace_back(cone);
   add_object(scene, ObjectKind::cone, scene.cones.size(), material);
 }
 

@@ -51,6 +51,7 @@ struct Scene {
   std::vector<Vec3> vertices;
   std::vector<Vec3> normals;
   std::vector<PolygonPlane> planes;
+  std::vector<ConeFrame> cone_frames;  ///< one a cone
   /// Opaque objects are seen from behind even under the SPD's one-sided rules (teapot).
   bool two_sided = false;
 
@@ -75,6 +76,11 @@ struct ObjectCounts {
   bool operator==(const ObjectCounts&) const = default;
 };
 ObjectCounts count_objects(const Scene& scene);
+
+/// Whether a face is a triangle.
+inline bool has_triangles(const Scene& scene) {
+  return scene.faces.size() > scene.planes.size();
+}
 
 /// Vertices of a face, in order.
 inline std::span<const Vec3> vertices_of(const Scene& scene, const Face& face) {

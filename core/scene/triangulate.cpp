@@ -189,6 +189,7 @@ Scene triangulate(const Scene& scene, int segments) {
   mesh.faces.clear();
   mesh.spheres.clear();
   mesh.cones.clear();
+  mesh.cone_frames.clear();
   mesh.vertices.clear();
   mesh.normals.clear();
   mesh.planes.clear();

@@ -75,27 +75,29 @@ bool solve(const Quadratic& equation, double discriminant, double roots[2]) {
 
 }  // namespace
 
-double hit_cone(const RayQuery& ray, const Cone& cone, Sides sides) {
-  const Vec3d d = ray.wide_direction;
-  const Vec3d base(cone.base);
-  const Vec3d axis = Vec3d(cone.apex) - base;
-  const double per_axis2 = 1.0 / glm::dot(axis, axis);
-  const double base_radius = std::abs(static_cast<double>(cone.base_radius));
-  const double growth = std::abs(static_cast<double>(cone.apex_radius)) - base_radius;
+ConeFrame::ConeFrame(const Cone& cone)
+    : base(cone.base),
+      axis(Vec3d(cone.apex) - Vec3d(cone.base)),
+      per_axis2(1.0 / glm::dot(axis, axis)),
+      base_radius(std::abs(static_cast<double>(cone.base_radius))),
+      growth(std::abs(static_cast<double>(cone.apex_radius)) - base_radius),
+      is_inside_out(cone.base_radius < 0.0f || cone.apex_radius < 0.0f) {}
 
-  // Move the origin to the ray's closest point to the middle of the axis: far away the
+double hit_cone(const RayQuery& ray, const ConeFrame& cone, Sides sides) {
+  const Vec3d& d = ray.wide_direction;
+  // Move the origin to about the ray's closest point to the middle of the axis: far away the
   // discriminant would be lost in the rounding of b * b.
-  const Vec3d to_middle = base + 0.5 * axis - ray.wide_origin;
-  const double shift = glm::dot(to_middle, d) / ray.length2;
-  const Vec3d f = ray.wide_origin - base + shift * d;
+  const Vec3d from_base = ray.wide_origin - cone.base;
+  const double shift = glm::dot(0.5 * cone.axis - from_base, d) * ray.per_length2;
+  const Vec3d f = from_base + shift * d;
 
   // Along the axis: s = m + t n, 0 at the base and 1 at the apex; across it f_across + t d_across.
-  const double m = glm::dot(f, axis) * per_axis2;
-  const double n = glm::dot(d, axis) * per_axis2;
-  const Vec3d f_across = f - m * axis;
-  const Vec3d d_across = d - n * axis;
-  const double radius = base_radius + growth * m;
-  const double slope = growth * n;
+  const double m = glm::dot(f, cone.axis) * cone.per_axis2;
+  const double n = glm::dot(d, cone.axis) * cone.per_axis2;
+  const Vec3d f_across = f - m * cone.axis;
+  const Vec3d d_across = d - n * cone.axis;
+  const double radius = cone.base_radius + cone.growth * m;
+  const double slope = cone.growth * n;
   const Quadratic equation{glm::dot(d_across, d_across) - slope * slope,
                            radius * slope - glm::dot(f_across, d_across),
                            glm::dot(f_across, f_across) - radius * radius};
@@ -109,9 +111,9 @@ double hit_cone(const RayQuery& ray, const Cone& cone, Sides sides) {
     if (sides == Sides::front) {
       // Half the derivative of |across|^2 - radius^2 along the ray: < 0 where it enters.
       const bool enters = equation.a * root - equation.b < 0.0;
-      if (enters == (cone.base_radius < 0.0f || cone.apex_radius < 0.0f)) continue;
+      if (enters == cone.is_inside_out) continue;
     }
-    return {shift + root};
+    return shift + root;
   }
   return no_hit;
 }

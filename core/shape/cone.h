@@ -15,8 +15,19 @@ struct Cone {
   bool operator==(const Cone&) const = default;
 };
 
+/// What hit_cone needs to know of a cone, in double.
+struct ConeFrame {
+  explicit ConeFrame(const Cone& cone);
+
+  Vec3d base, axis;            ///< axis: from the base to the apex
+  double per_axis2;            ///< 1 / axis . axis
+  double base_radius, growth;  ///< radius at s of the axis: base_radius + s growth, >= 0
+  bool is_inside_out;          ///< negative radii: seen from the inside
+  bool operator==(const ConeFrame&) const = default;
+};
+
 /// In double, solved around the ray's closest point to the middle of the axis.
-double hit_cone(const RayQuery& ray, const Cone& cone, Sides sides);
+double hit_cone(const RayQuery& ray, const ConeFrame& cone, Sides sides);
 
 /// Rounded outwards.
 Aabb cone_bounds(const Cone& cone);

@@ -17,24 +17,19 @@ Aabb box_of(std::span<const Vec3> vertices) {
   return box;
 }
 
-/// Whether `vertex`, seen along the ray, lies above it. Exact.
-bool is_above(const RayQuery& ray, Vec3 vertex) {
-  const float height =
-      (vertex[ray.ky] - ray.origin[ray.ky]) - ray.shear_y * (vertex[ray.kz] - ray.origin[ray.kz]);
-  if (std::abs(height) > 8.0f * ray.reach_error) return height > 0.0f;
-  const int side = side_of_line(ray.origin, ray.direction, vertex, ray.ky, ray.kz);
-  return ray.direction[ray.kz] > 0.0f ? side > 0 : side < 0;
-}
-
 /// Whether the ray passes through the polygon: counts the edges that cross the positive x axis of
 /// the ray's plane. Exact.
-bool encloses_ray(const RayQuery& ray, std::span<const Vec3> vertices) {
-  const int mirrored = ray.direction[ray.kz] > 0.0f ? 1 : -1;
+bool encloses_ray(const RayQuery& plain, std::span<const Vec3> vertices) {
+  const RayQuery ray({plain.origin, plain.direction});
+  const int mirrored = component(ray.direction, ray.kz) > 0.0f ? 1 : -1;
+  const auto is_above = [&](const Vec3& vertex) {
+    return mirrored * side_of_line(ray.origin, ray.direction, vertex, ray.ky, ray.kz) > 0;
+  };
   bool inside = false;
   const Vec3* from = &vertices.back();
-  bool from_above = is_above(ray, *from);
+  bool from_above = is_above(*from);
   for (const Vec3& to : vertices) {
-    const bool to_above = is_above(ray, to);
+    const bool to_above = is_above(to);
     if (from_above != to_above) {
       const int side = mirrored * side_of_edge(ray.origin, ray.direction, *from, to);
       if (side == (to_above ? 1 : -1)) inside = !inside;
@@ -57,7 +52,7 @@ struct HitPoint {
 /// 16 reach is farther from the polygon than any of that.)
 HitPoint hit_point(const RayQuery& ray, const PolygonPlane& plane, double t, double per_slope) {
   const double reach = ray.reach_error * 0x1p24;
-  const double flatness = std::abs(per_slope * component(ray.direction, ray.kz));
+  const double flatness = std::abs(per_slope * ray.size);
   const double height = plane.thickness + 0x1p-44 * plane.area * reach;
   const bool slope_is_lost = !(flatness * plane.area < 0x1p40);
   return {.x = component(ray.origin, plane.x_axis) + t * component(ray.direction, plane.x_axis),
@@ -83,25 +78,25 @@ enum class Place { outside, inside, open };
 /// Counts the edges that cross the half-line from `p` towards larger x; open where a vertex or an
 /// edge is too close to tell.
 Place place_of(const HitPoint& p, const PolygonPlane& plane, std::span<const Vec3> vertices) {
-  // As floats, rounded away from the point by more than their own rounding.
-  const double margin = (1.0 + 0x1p-20) * p.slack + 0x1p-22 * std::abs(p.y);
-  const auto low = static_cast<float>(p.y - margin), high = static_cast<float>(p.y + margin);
+  const auto y = static_cast<float>(p.y);
+  float nearest = std::numeric_limits<float>::infinity();
   bool inside = false, open = false;
   const Vec3* from = &vertices.back();
-  bool from_above = component(*from, plane.y_axis) > high;
+  float from_height = component(*from, plane.y_axis) - y;
   for (const Vec3& to : vertices) {
-    const float y = component(to, plane.y_axis);
-    const bool to_above = y > high;
-    open |= to_above == (y < low);  // neither
-    if (from_above != to_above) {
-      const int side =
-          to_above ? side_of_crossing(p, plane, *from, to) : side_of_crossing(p, plane, to, *from);
+    const float height = component(to, plane.y_axis) - y;
+    nearest = std::min(nearest, std::abs(height));
+    if (std::signbit(height) != std::signbit(from_height)) {
+      const int side = std::signbit(from_height) ? side_of_crossing(p, plane, *from, to)
+                                                 : side_of_crossing(p, plane, to, *from);
       open |= side == 0;
       inside ^= side > 0;
     }
-    from_above = to_above;
+    from_height = height;
     from = &to;
   }
+  // Heights are off by the rounding of y, and by less than the 2^-22 of themselves.
+  open |= !(nearest > 1.001 * p.slack + 0x1p-22 * std::abs(p.y));
   return open ? Place::open : inside ? Place::inside : Place::outside;
 }
 

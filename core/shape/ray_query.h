@@ -21,23 +21,21 @@ enum class Sides { both, front };
 /// in units of the ray's direction, t_min < t < t_max, or with no_hit.
 struct RayQuery {
   /// `reach` bounds |p - origin| on every axis for every vertex p the ray will be tested against;
-  /// without it no rounding can be bounded and every test is decided exactly, slowly.
-  explicit RayQuery(const Ray& ray, float reach = std::numeric_limits<float>::infinity())
+  /// without it no rounding can be bounded and every test is decided exactly, slowly. A ray that
+  /// meets no triangle saves the divisions of the shear.
+  explicit RayQuery(const Ray& ray, float reach = std::numeric_limits<float>::infinity(),
+                    bool meets_triangles = true)
       : origin(ray.origin),
         direction(ray.direction),
         wide_origin(ray.origin),
         wide_direction(ray.direction),
+        length2(glm::dot(wide_direction, wide_direction)),
+        per_length2(1.0 / length2),
         t_min(ray.t_min),
         t_max(ray.t_max),
-        reach_error(reach * unit_roundoff) {
-    const Vec3 size = glm::abs(direction);
-    kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    kx = kz == 2 ? 0 : kz + 1;
-    ky = kx == 2 ? 0 : kx + 1;
-    turned = {component(origin, kx), component(origin, ky), component(origin, kz)};
-    shear_x = component(direction, kx) / component(direction, kz);
-    shear_y = component(direction, ky) / component(direction, kz);
-    length2 = glm::dot(wide_direction, wide_direction);
+        reach_error(reach * unit_roundoff),
+        size(largest_component(glm::abs(direction))) {
+    if (meets_triangles) find_shear();
   }
 
   /// `point` seen along the ray: the ray itself is the origin of the plane. Rounding moves it by
@@ -52,12 +50,25 @@ struct RayQuery {
 
   Vec3 origin, direction;
   Vec3d wide_origin, wide_direction;  ///< the same in double
-  double length2;                     ///< direction . direction
+  double length2, per_length2;        ///< direction . direction and its reciprocal
   double t_min, t_max;
   float reach_error;  ///< reach x unit round-off
-  int kx, ky, kz;     ///< kz: axis of the largest component of the direction
-  Vec3 turned;        ///< the origin's components kx, ky, kz
+  float size;         ///< of the largest component of the direction
+  // Triangles only.
+  int kx, ky, kz;  ///< kz: axis of the largest component of the direction
+  Vec3 turned;     ///< the origin's components kx, ky, kz
   float shear_x, shear_y;
+
+ private:
+  void find_shear() {
+    const Vec3 sizes = glm::abs(direction);
+    kz = sizes.x > sizes.y ? (sizes.x > sizes.z ? 0 : 2) : (sizes.y > sizes.z ? 1 : 2);
+    kx = kz == 2 ? 0 : kz + 1;
+    ky = kx == 2 ? 0 : kx + 1;
+    turned = {component(origin, kx), component(origin, ky), component(origin, kz)};
+    shear_x = component(direction, kx) / component(direction, kz);
+    shear_y = component(direction, ky) / component(direction, kz);
+  }
 };
 
 /// `reach` of a RayQuery against everything inside `box`.

@@ -64,9 +64,13 @@ double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides
   // Both are off by less than 2^-49 of the product of the sizes: where neither is below 2^-25 of
   // it, t is right to 2^-23.
   const double area_size = size_of(edge1) * size_of(edge2);
+  const double height_size = area_size * size_of(way);
   const bool slope_is_open = std::abs(slope) < 0x1p-25 * area_size * size_of(ray.wide_direction);
-  const bool height_is_open = std::abs(height) < 0x1p-25 * area_size * size_of(way);
-  if (slope_is_open || height_is_open) [[unlikely]] {
+  if (slope_is_open || std::abs(height) < 0x1p-25 * height_size) {
+    // Nearly every ray that leaves the triangle: it is surely behind its origin.
+    const bool is_behind = !slope_is_open && (height < 0.0) != (slope < 0.0) &&
+                           std::abs(height) > 0x1p-48 * height_size;
+    if (is_behind && ray.t_min >= 0.0) return no_hit;
     return hit_plane_beside(ray, vertices, sides);
   }
   const double t = height / slope;

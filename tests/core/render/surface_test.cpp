@@ -40,6 +40,7 @@ Scene one_object(Random& random, float size) {
   for (Cone& cone : scene.cones) {
     cone = {size * (cone.base + place), size * cone.base_radius, size * (cone.apex + place),
             size * cone.apex_radius};
+    scene.cone_frames = {ConeFrame(cone)};
   }
   return scene;
 }

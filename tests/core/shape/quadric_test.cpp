@@ -122,7 +122,7 @@ TEST(Cone, FarAwayItIsHitWithinAnUlpOfFloat) {
                     trial % 3 == 0 ? 0.0f : random.between(0.0f, 1.0f)};
     const Vec3 origin = base + distance * random.direction();
     const Ray ray{origin, base + random.point(1.0f) - origin};
-    const double found = hit_cone(RayQuery(ray), cone, Sides::both);
+    const double found = hit_cone(RayQuery(ray), ConeFrame(cone), Sides::both);
     std::optional<QuadConeHit> exact;
     bool open = false;  // an end or a tangent too near to call
     const auto roots = exact_cone(ray, cone);
@@ -143,22 +143,26 @@ TEST(Cone, FarAwayItIsHitWithinAnUlpOfFloat) {
 
 TEST(Cone, EndsAreOpen) {
   const Cone cylinder{{0, 0, 0}, 1.0f, {0, 0, 2}, 1.0f};
-  EXPECT_EQ(hit_cone(RayQuery({{0.5f, 0, 5}, {0, 0, -1}}), cylinder, Sides::both), no_hit);
-  EXPECT_EQ(hit_cone(RayQuery({{3, 0, 1}, {-1, 0, 0}}), cylinder, Sides::both), 2.0);
-  EXPECT_EQ(hit_cone(RayQuery({{3, 0, 2.5f}, {-1, 0, 0}}), cylinder, Sides::both), no_hit);
+  EXPECT_EQ(hit_cone(RayQuery({{0.5f, 0, 5}, {0, 0, -1}}), ConeFrame(cylinder), Sides::both),
+            no_hit);
+  EXPECT_EQ(hit_cone(RayQuery({{3, 0, 1}, {-1, 0, 0}}), ConeFrame(cylinder), Sides::both), 2.0);
+  EXPECT_EQ(hit_cone(RayQuery({{3, 0, 2.5f}, {-1, 0, 0}}), ConeFrame(cylinder), Sides::both),
+            no_hit);
 }
 
 TEST(Cone, RayAlongAGeneratorMeetsTheOtherSideOnce) {
   const Cone cone{{0, 0, 0}, 1.0f, {0, 0, 1}, 0.0f};
   // Parallel to the generator through (-1, 0, 0) and (0, 0, 1), from below through the base.
-  const double found = hit_cone(RayQuery({{-0.5f, 0, -0.5f}, {1, 0, 1}}), cone, Sides::both);
+  const double found =
+      hit_cone(RayQuery({{-0.5f, 0, -0.5f}, {1, 0, 1}}), ConeFrame(cone), Sides::both);
   EXPECT_NEAR(found, 1.0, 1e-12);
 }
 
 TEST(Cone, OneSidedFollowsTheSignOfTheRadii) {
   const Ray across{{3, 0, 1}, {-1, 0, 0}};
-  EXPECT_EQ(hit_cone(RayQuery(across), {{0, 0, 0}, 1, {0, 0, 2}, 1}, Sides::front), 2.0);
-  EXPECT_EQ(hit_cone(RayQuery(across), {{0, 0, 0}, -1, {0, 0, 2}, -1}, Sides::front), 4.0);
+  EXPECT_EQ(hit_cone(RayQuery(across), ConeFrame({{0, 0, 0}, 1, {0, 0, 2}, 1}), Sides::front), 2.0);
+  EXPECT_EQ(hit_cone(RayQuery(across), ConeFrame({{0, 0, 0}, -1, {0, 0, 2}, -1}), Sides::front),
+            4.0);
 }
 
 TEST(Cone, BoxesHoldTheSurface) {

@@ -91,7 +91,8 @@ TEST(Textbook, SpheresAndConesAgreeWithDoubleWhereNothingIsClose) {
       const TextbookRay<float> textbook(ray);
       spheres.add(hit_sphere_textbook(textbook, sphere, sides),
                   hit_sphere(RayQuery(ray), sphere, sides));
-      cones.add(hit_cone_textbook(textbook, cone, sides), hit_cone(RayQuery(ray), cone, sides));
+      cones.add(hit_cone_textbook(textbook, cone, sides),
+                hit_cone(RayQuery(ray), ConeFrame(cone), sides));
     }
     expect_agreement(spheres);
     expect_agreement(cones);
