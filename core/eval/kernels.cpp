@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/render/packet.h"
 #include "core/render/textbook_shapes.h"
 
 namespace bspview {
@@ -95,6 +96,29 @@ Kernel make_kernel(const KernelChoice& choice) {
   } else {
     set_functions<ExactFaces>(kernel, choice, least_t);
   }
+  return kernel;
+}
+
+Kernel make_packet_kernel() {
+  Kernel kernel;
+  kernel.name = "bspview packets";
+  kernel.what = fmt::format("the default's answers, {} rays at a time ({})", packet_width(),
+                            packet_instructions());
+  kernel.closest = [](const World& world) -> Kernel::Closest {
+    return [=](std::span<const Ray> rays, std::span<RayResult> results) {
+      thread_local std::vector<Hit> hits;
+      hits.resize(rays.size());
+      closest_hits(world, rays, SideRule::two_sided, hits);
+      std::ranges::transform(hits, results.begin(), [](const Hit& hit) {
+        return RayResult{hit.object, hit.t};
+      });
+    };
+  };
+  kernel.occluded = [](const World& world) -> Kernel::Occluded {
+    return [=](std::span<const Ray> rays, std::span<char> results) {
+      any_hits(world, rays, SideRule::two_sided, results);
+    };
+  };
   return kernel;
 }
 

@@ -31,4 +31,7 @@ struct KernelChoice {
 /// The kernel of a choice. It sees both sides of everything, on the calling thread.
 Kernel make_kernel(const KernelChoice& choice);
 
+/// closest_hits and any_hits of core/render/packet.h.
+Kernel make_packet_kernel();
+
 }  // namespace bspview

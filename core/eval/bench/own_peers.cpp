@@ -72,6 +72,7 @@ std::vector<Peer> own_peers() {
   naive.builder = Builder::naive;
   return {
       scalar("bspview", "the default: exact faces, robust traversal", {}),
+      peer_of(make_packet_kernel(), Peer::Answers::robust, Peer::Width::many),
       scalar("bspview float", "Moeller-Trumbore in float, robust traversal",
              in_float(Traversal::robust)),
       scalar("bspview float havran", "Moeller-Trumbore in float, Havran's traversal TA-B",

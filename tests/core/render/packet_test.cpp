@@ -1,0 +1,145 @@
+#include "core/render/packet.h"
+
+#include <gtest/gtest.h>
+
+#include <hwy/targets.h>
+
+#include "core/render/scene_tree.h"
+#include "tests/support/random.h"
+#include "tests/support/scenes.h"
+
+namespace bspview {
+namespace {
+
+using test::Random;
+
+/// The tests run with each of the instruction sets that the processor has.
+class PacketTest : public testing::TestWithParam<std::int64_t> {
+ protected:
+  void SetUp() override { use(GetParam()); }
+  void TearDown() override { use(0); }
+
+ private:
+  /// 0: every set.
+  static void use(std::int64_t set) {
+    hwy::SetSupportedTargetsForTest(set);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+std::vector<std::int64_t> instruction_sets() {
+  std::vector<std::int64_t> sets;
+  for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
+    sets.push_back(rest & -rest);
+  }
+  return sets;
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySet, PacketTest, testing::ValuesIn(instruction_sets()),
+                         [](const auto& set) { return hwy::TargetName(set.param); });
+
+/// Every hit and every occlusion as one ray finds it.
+void expect_answers_of_single_rays(const Scene& scene, const std::vector<Ray>& rays,
+                                   SideRule rule) {
+  const auto tree = build_scene_tree(scene, {});
+  const World world{scene, *tree};
+  std::vector<Hit> hits(rays.size());
+  std::vector<char> found(rays.size());
+  closest_hits(world, rays, rule, hits);
+  any_hits(world, rays, rule, found);
+  NoObserver none;
+  int hit_count = 0;
+  const TraceRules rules{.sides = rule, .shadow_sides = rule};
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Hit single = closest_hit(world, rays[i], rules, none);
+    ASSERT_EQ(hits[i].object, single.object) << "ray " << i;
+    ASSERT_EQ(hits[i].t, single.t) << "ray " << i;
+    ASSERT_EQ(found[i] != 0, any_hit(world, rays[i], rules, none) != no_index) << "ray " << i;
+    hit_count += single ? 1 : 0;
+  }
+  EXPECT_GT(hit_count, static_cast<int>(rays.size()) / 20);
+}
+
+/// From one point through neighbouring points: what packets are for.
+std::vector<Ray> bundle(int count, Random& random) {
+  std::vector<Ray> rays;
+  Vec3 eye(0.0f), target(0.0f);
+  for (int i = 0; i < count; ++i) {
+    if (i % 64 == 0) {
+      eye = 4.0f * random.direction();
+      target = random.point(0.5f);
+    }
+    rays.push_back({eye, target + random.point(0.05f) - eye});
+  }
+  return rays;
+}
+
+TEST_P(PacketTest, BundlesFindWhatSingleRaysFind) {
+  Random random(1);
+  for (const SideRule rule :
+       {SideRule::two_sided, SideRule::opaque_one_sided, SideRule::one_sided}) {
+    expect_answers_of_single_rays(test::random_scene(300, 11), bundle(3000, random), rule);
+    expect_answers_of_single_rays(test::random_triangles(500, 12), bundle(3000, random), rule);
+  }
+}
+
+TEST_P(PacketTest, RaysAnyhowFindWhatSingleRaysFind) {
+  Random random(2);
+  std::vector<Ray> rays;
+  for (int i = 0; i < 3001; ++i) {
+    Ray ray{random.point(2.0f), random.direction()};
+    if (random.below(4) == 0) ray.t_max = random.between(0.0f, 2.0f);
+    if (random.below(4) == 0) ray.t_min = random.between(-1.0f, 1.0f);
+    if (random.below(8) == 0) ray.direction *= 1e30f;
+    if (random.below(8) == 0) ray.direction *= 1e-30f;
+    rays.push_back(ray);
+  }
+  expect_answers_of_single_rays(test::random_scene(300, 13), rays, SideRule::two_sided);
+}
+
+TEST_P(PacketTest, RaysInPlanesAndAlongAxesFindWhatSingleRaysFind) {
+  Random random(3);
+  std::vector<Ray> rays;
+  const auto step = [&] { return 0.25f * static_cast<float>(random.below(17) - 8); };
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 origin(step(), step(), step());
+    Vec3 direction(0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+      const float sign = random.below(2) == 0 ? -1.0f : 1.0f;
+      direction[axis] = sign * static_cast<float>(random.below(2));
+    }
+    if (direction == Vec3(0.0f)) direction.x = 1.0f;
+    for (int k = 0; k < 4; ++k) rays.push_back({origin, direction});
+  }
+  expect_answers_of_single_rays(test::cube_grid(8, Vec3(0.0f)), rays, SideRule::two_sided);
+}
+
+TEST_P(PacketTest, WhatIsNoRayHitsNothingAndDisturbsNobody) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  Random random(4);
+  std::vector<Ray> rays = bundle(2000, random);
+  for (std::size_t i = 0; i < rays.size(); i += 5) {
+    const int axis = random.below(3);
+    switch (random.below(5)) {
+      case 0:
+        rays[i].direction = Vec3(0.0f);
+        break;
+      case 1:
+        rays[i].direction[axis] = nan;
+        break;
+      case 2:
+        rays[i].origin[axis] = nan;
+        break;
+      case 3:
+        rays[i].origin[axis] = inf;
+        break;
+      default:
+        rays[i].t_max = -1.0f;
+    }
+  }
+  expect_answers_of_single_rays(test::random_scene(300, 14), rays, SideRule::two_sided);
+}
+
+}  // namespace
+}  // namespace bspview
