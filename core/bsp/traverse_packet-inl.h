@@ -41,10 +41,11 @@ HWY_INLINE void traverse_packet(const Tree& tree, const PacketWalk& walk, Leaf&&
   };
   std::array<Entry, depth_cap + 2> stack;  // not initialized
   int depth = 0;
+  const Node* const nodes = tree.nodes.data();
   std::uint32_t index = 0;
   FloatV enter = load(walk.enter), exit = load(walk.exit);
   for (;;) {
-    const Node node = tree.nodes[index];
+    const Node node = nodes[index];
     if (!node.is_leaf()) {
       const int axis = node.axis();
       const FloatV way = hn::Sub(all(node.split()), load(walk.origin[axis]));

@@ -33,29 +33,47 @@ class Packet {
     walk_.origin = rays_.origin;
   }
 
-  /// Takes `count` rays in.
-  void load_rays(const Ray* rays, int count) {
-    float reach = 0.0f;
+  /// Takes rays in, at most one a lane. Answers the lanes of those that packets can hold; the
+  /// others are no rays, start before their origin, or have a length whose reciprocal could
+  /// overflow.
+  unsigned load_rays(std::span<const Ray> rays) {
+    const int count = static_cast<int>(rays.size());
     for (int lane = 0; lane < lane_count(); ++lane) {
-      const Ray& ray = rays[std::min(lane, count - 1)];
-      for (int axis = 0; axis < 3; ++axis) {
-        rays_.origin[axis][lane] = component(ray.origin, axis);
-        rays_.direction[axis][lane] = component(ray.direction, axis);
-      }
+      const Ray& ray = rays[static_cast<std::size_t>(std::min(lane, count - 1))];
+      rays_.origin[0][lane] = ray.origin.x;
+      rays_.origin[1][lane] = ray.origin.y;
+      rays_.origin[2][lane] = ray.origin.z;
+      rays_.direction[0][lane] = ray.direction.x;
+      rays_.direction[1][lane] = ray.direction.y;
+      rays_.direction[2][lane] = ray.direction.z;
       rays_.t_min[lane] = ray.t_min;
       rays_.t_max[lane] = ray.t_max;
       best_[lane] = {};
       queries_[lane].reset();
-      reach = std::max(reach, reach_of(world_.tree.box, ray.origin));
     }
-    rays_.reach_error = reach * unit_roundoff;
+    find_reach();
+    classes_ = find_classes();
     enter_root();
+    return find_plain_rays() & ((1u << count) - 1u);
   }
 
-  /// Finds what the rays of `lanes` hit: the nearest, or anything.
+  /// Finds what rays of `lanes` hit: the nearest, or anything. Takes those of the lowest one's
+  /// class and removes them.
   template <bool any>
-  void trace(unsigned lanes, int main_axis, unsigned negative) {
-    set_class(lanes, main_axis, negative);
+  void trace(unsigned& lanes) {
+    const int lowest = __builtin_ctz(lanes);
+    const auto same = [&](unsigned set) { return (set >> lowest & 1u) != 0 ? set : ~set; };
+    unsigned together = lanes & same(classes_.x_is_main) & same(classes_.y_is_main);
+    unsigned negative = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      together &= same(classes_.negative[axis]);
+      negative |= (classes_.negative[axis] >> lowest & 1u) << axis;
+    }
+    lanes &= ~together;
+    const int main_axis = classes_.x_is_main >> lowest & 1u   ? 0
+                          : classes_.y_is_main >> lowest & 1u ? 1
+                                                              : 2;
+    set_class(together, main_axis, negative);
     traverse_packet(world_.tree, walk_, [&](const Node& node, unsigned passing) {
       for (const std::uint32_t id : world_.tree.objects_of(node)) {
         passing &= rays_.active;
@@ -68,6 +86,50 @@ class Packet {
   const Hit& best(int lane) const { return best_[lane]; }
 
  private:
+  /// Lanes whose directions are alike: by sign, and by the axis of the largest component.
+  struct Classes {
+    unsigned negative[3], x_is_main, y_is_main;
+  };
+  Classes find_classes() const {
+    Classes classes;
+    FloatV size[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const FloatV d = load(rays_.direction[axis]);
+      size[axis] = hn::Abs(d);
+      const auto sign = hn::BitCast(hn::RebindToSigned<Floats>(), d);
+      classes.negative[axis] = bits_of(
+          floats, hn::RebindMask(floats, hn::Lt(sign, hn::Zero(hn::DFromV<decltype(sign)>()))));
+    }
+    const unsigned xy = bits_of(floats, hn::Gt(size[0], size[1]));
+    classes.x_is_main = xy & bits_of(floats, hn::Gt(size[0], size[2]));
+    classes.y_is_main = ~xy & bits_of(floats, hn::Gt(size[1], size[2]));
+    return classes;
+  }
+
+  unsigned find_plain_rays() const {
+    const FloatV t_min = load(rays_.t_min), infinity = all(std::numeric_limits<float>::infinity());
+    auto plain = hn::And(hn::Ge(t_min, hn::Zero(floats)), hn::Lt(t_min, load(rays_.t_max)));
+    FloatV largest = hn::Zero(floats);
+    for (int axis = 0; axis < 3; ++axis) {
+      const FloatV size = hn::Abs(load(rays_.direction[axis]));
+      plain = hn::And(plain, hn::Lt(size, all(0x1p20f)));
+      plain = hn::And(plain, hn::Lt(hn::Abs(load(rays_.origin[axis])), infinity));
+      largest = hn::Max(largest, size);
+    }
+    return bits_of(floats, hn::And(plain, hn::Gt(largest, all(0x1p-20f))));
+  }
+
+  void find_reach() {
+    FloatV reach = hn::Zero(floats);
+    for (int axis = 0; axis < 3; ++axis) {
+      const FloatV origin = load(rays_.origin[axis]);
+      const FloatV below = hn::Abs(hn::Sub(all(world_.tree.box.lo[axis]), origin));
+      const FloatV above = hn::Abs(hn::Sub(all(world_.tree.box.hi[axis]), origin));
+      reach = hn::Max(reach, hn::Max(below, above));
+    }
+    rays_.reach_error = unit_roundoff * hn::GetLane(hn::MaxOfLanes(floats, reach));
+  }
+
   /// The intervals in the root, as root_interval, and the reciprocals.
   void enter_root() {
     constexpr float error = PacketWalk::plane_error;
@@ -178,26 +240,10 @@ class Packet {
   RayLanes rays_;
   PacketWalk walk_;
   alignas(64) float enter_[most], exit_[most];
+  Classes classes_;
   Hit best_[most];
   std::optional<RayQuery> queries_[most];
 };
-
-/// Rays that a packet can hold together have the same class; those of class `alone` go by
-/// themselves: what is no ray, t_min < 0, lengths whose reciprocals could overflow.
-constexpr unsigned alone = ~0u;
-HWY_INLINE unsigned class_of(const Ray& ray) {
-  const Vec3 size = glm::abs(ray.direction);
-  const float largest = largest_component(size);
-  const Vec3 finite = 0.0f * ray.origin;
-  const bool is_plain = largest > 0x1p-20f && largest < 0x1p20f && finite == Vec3(0.0f) &&
-                        size.x + size.y + size.z < 0x1p22f && ray.t_min >= 0.0f &&
-                        ray.t_min < ray.t_max;
-  if (!is_plain) return alone;
-  const unsigned axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-  const Vec3 d = ray.direction;
-  return axis << 3 | unsigned{std::signbit(d.x)} | unsigned{std::signbit(d.y)} << 1 |
-         unsigned{std::signbit(d.z)} << 2;
-}
 
 Hit find_alone(const World& world, const Ray& ray, SideRule rule, bool any) {
   NoObserver none;
@@ -210,28 +256,12 @@ Hit find_alone(const World& world, const Ray& ray, SideRule rule, bool any) {
 template <bool any, class Found>
 void trace_some(Packet& packet, const World& world, std::span<const Ray> rays, SideRule rule,
                 const Found& found) {
-  unsigned classes[most];
-  unsigned remaining = 0;
+  const unsigned plain = world.tree.naive ? 0 : packet.load_rays(rays);
+  for (unsigned remaining = plain; remaining != 0;) packet.trace<any>(remaining);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    classes[i] = world.tree.naive ? alone : class_of(rays[i]);
-    if (classes[i] == alone) {
-      found(i, find_alone(world, rays[i], rule, any));
-    } else {
-      remaining |= 1u << i;
-    }
+    const bool is_plain = plain >> i & 1u;
+    found(i, is_plain ? packet.best(static_cast<int>(i)) : find_alone(world, rays[i], rule, any));
   }
-  if (remaining == 0) return;
-  packet.load_rays(rays.data(), static_cast<int>(rays.size()));
-  const unsigned traced = remaining;
-  while (remaining != 0) {
-    const unsigned one = classes[__builtin_ctz(remaining)];
-    unsigned lanes = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) lanes |= (classes[i] == one ? 1u : 0u) << i;
-    packet.trace<any>(lanes, static_cast<int>(one >> 3), one & 7u);
-    remaining &= ~lanes;
-  }
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    if (traced >> i & 1u) found(i, packet.best(static_cast<int>(i)));
 }
 
 template <bool any, class Found>
