@@ -81,7 +81,9 @@ Texts texts_of(const BenchReport& report) {
 
 Texts texts_of(const ScaleReport& report) {
   const std::string json = to_json(report);
-  return {to_text(report), json, {{"scale.csv", to_csv(report)}, {"scale.json", json}}};
+  return {to_text(report),
+          json,
+          {{"scale.csv", to_csv(report)}, {"scale.json", json}, {"scale.svg", to_svg(report)}}};
 }
 
 Result<void> save(const Texts& texts, const BenchOptions& options) {
@@ -199,6 +201,7 @@ void add_bench_options(CLI::App& command, BenchOptions& options) {
                   "larger ones")
       ->type_name("");
   add_tree_options(command, options.tree);
+  command.remove_option(command.get_option("--traversal"));  // every peer has its own
   command.get_option("--threads")->description("Threads that build; one is timed");
   add_ray_options(command, options);
   command.add_option("--repeat", options.params.repeats, "Time everything N times, interleaved")
@@ -208,7 +211,7 @@ void add_bench_options(CLI::App& command, BenchOptions& options) {
   add_other_modes(command, options);
   command
       .add_option("-o", options.folder,
-                  "Folder for bench.csv, .json and .svg; scale.csv and .json; povray.csv and .json")
+                  "Folder for bench.csv, .json and .svg; those of scale; povray.csv and .json")
       ->type_name("DIR");
   add_json(command, options.json);
 }

@@ -54,9 +54,11 @@ LogFit fit_log(std::span<const std::pair<double, double>> objects_and_ns);
 /// The fit of one peer on one family; nothing for fewer than three sizes.
 std::optional<LogFit> fit_of(const ScaleFamily& family, BenchKind kind, std::size_t peer);
 
-/// Tables for the terminal; everything as one object; one line a scene, kind and peer.
+/// Tables for the terminal; everything as one object; one line a scene, kind and peer; lines of the
+/// time over the logarithm of the objects, a picture that needs nothing else.
 std::string to_text(const ScaleReport& report);
 std::string to_json(const ScaleReport& report);
 std::string to_csv(const ScaleReport& report);
+std::string to_svg(const ScaleReport& report);
 
 }  // namespace bspview

@@ -35,6 +35,7 @@ TEST_F(BenchCommand, ScaleMeasuresGrowingScenes) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("tetra, ns per ray at so many objects"), std::string::npos);
   EXPECT_TRUE(exists("scale/scale.csv") && exists("scale/scale.json"));
+  EXPECT_EQ(read("scale/scale.svg").rfind("<svg", 0), 0u);
 }
 
 TEST_F(BenchCommand, ScaleHasScenesOfItsOwn) {
@@ -61,6 +62,7 @@ TEST_F(BenchCommand, WhatCannotBeDoneIsSaidBeforeTheWork) {
   EXPECT_EQ(run("bench missing.nff").exit_code, 1);
   EXPECT_EQ(run("bench s.nff --rays 0").exit_code, 2);
   EXPECT_EQ(run("bench s.nff --kinds sideways").exit_code, 2);
+  EXPECT_EQ(run("bench s.nff --traversal havran").exit_code, 2);
   EXPECT_EQ(run("bench s.nff --segments 5").exit_code, 2);
   EXPECT_EQ(run("bench s.nff --segments 2").exit_code, 2);
   write("file", "");
