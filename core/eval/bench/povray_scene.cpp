@@ -27,7 +27,7 @@ class PovWriter {
     write_camera(scene_.camera);
     for (const Light& light : scene_.lights) {
       add("light_source {{ {} rgb {} }}\n", vector(light.position),
-          vector(2.0f * intensity_ * light.color));
+          vector(intensity_ * light.color));
     }
     for (std::size_t i = 0; i < scene_.materials.size(); ++i) write_material(i);
     for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
