@@ -11,8 +11,7 @@
 
 #include <array>
 
-#include "core/bsp/tree.h"
-#include "core/math/float_error.h"
+#include "core/bsp/ray_walk.h"
 #include "core/shape/triangle_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,8 +19,6 @@ namespace bspview::HWY_NAMESPACE {
 
 /// What the walk needs of its rays; t_min >= 0.
 struct alignas(64) PacketWalk {
-  static constexpr float plane_error = 2.0f * gamma_error(3);
-
   const float (*origin)[RayLanes::most];
   /// Reciprocals of the directions, moved by plane_error: towards and away from 0. Infinite for a
   /// component of 0; planes are then at +-inf, or at NaN for a ray that lies in one.
@@ -32,7 +29,7 @@ struct alignas(64) PacketWalk {
 };
 
 /// Visits the leaves along the rays, nearest first; leaf(node, lanes) tests the objects for the
-/// lanes that pass the cell. A lane that is empty makes NaN comparisons come out as "visit".
+/// lanes that pass the cell.
 template <class Leaf>
 HWY_INLINE void traverse_packet(const Tree& tree, const PacketWalk& walk, Leaf&& leaf) {
   struct alignas(64) Entry {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -16,6 +17,10 @@ using Vec3d = glm::dvec3;
 /// v[axis] for an axis that the compiler does not know: one load, where glm branches.
 inline float component(const Vec3& v, int axis) {
   return glm::value_ptr(v)[axis];
+}
+
+inline double sum_of_magnitudes(Vec3d v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
 inline float largest_component(Vec3 v) {

@@ -132,20 +132,19 @@ class Packet {
 
   /// The intervals in the root, as root_interval, and the reciprocals.
   void enter_root() {
-    constexpr float error = PacketWalk::plane_error;
     FloatV enter = load(rays_.t_min), exit = load(rays_.t_max);
     for (int axis = 0; axis < 3; ++axis) {
       const FloatV inverse = hn::Div(all(1.0f), load(rays_.direction[axis]));
       const FloatV origin = load(rays_.origin[axis]);
-      hn::Store(hn::Mul(inverse, all(1.0f - error)), floats, walk_.sooner[axis]);
-      hn::Store(hn::Mul(inverse, all(1.0f + error)), floats, walk_.later[axis]);
+      hn::Store(hn::Mul(inverse, all(1.0f - plane_error)), floats, walk_.sooner[axis]);
+      hn::Store(hn::Mul(inverse, all(1.0f + plane_error)), floats, walk_.later[axis]);
       const Aabb& box = world_.tree.box;
       const FloatV a = hn::Mul(hn::Sub(all(box.lo[axis]), origin), inverse);
       const FloatV b = hn::Mul(hn::Sub(all(box.hi[axis]), origin), inverse);
       const auto is_number = hn::Not(hn::Or(hn::IsNaN(a), hn::IsNaN(b)));
       const FloatV near = hn::Min(a, b), far = hn::Max(a, b);
-      const FloatV sooner = hn::Sub(near, hn::Mul(all(error), hn::Abs(near)));
-      const FloatV later = hn::Add(far, hn::Mul(all(error), hn::Abs(far)));
+      const FloatV sooner = hn::Sub(near, hn::Mul(all(plane_error), hn::Abs(near)));
+      const FloatV later = hn::Add(far, hn::Mul(all(plane_error), hn::Abs(far)));
       enter = hn::IfThenElse(hn::And(is_number, hn::Gt(sooner, enter)), sooner, enter);
       exit = hn::IfThenElse(hn::And(is_number, hn::Lt(later, exit)), later, exit);
     }
@@ -231,7 +230,7 @@ class Packet {
       rays_.active &= ~(1u << lane);
       walk_.reach[lane] = -std::numeric_limits<float>::infinity();
     } else {
-      walk_.reach[lane] = static_cast<float>(t) * (1.0f + 16.0f * PacketWalk::plane_error);
+      walk_.reach[lane] = static_cast<float>(t) * (1.0f + 16.0f * plane_error);
     }
   }
 

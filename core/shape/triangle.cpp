@@ -7,11 +7,6 @@
 namespace bspview {
 namespace {
 
-/// Sum of the magnitudes of the components.
-double size_of(Vec3d v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 /// Sums of the magnitudes of the products that the cross product subtracts.
 Vec3d size_of_cross(Vec3d a, Vec3d b) {
   const Vec3d p = glm::abs(a), q = glm::abs(b);
@@ -63,9 +58,10 @@ double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides
 
   // Both are off by less than 2^-49 of the product of the sizes: where neither is below 2^-25 of
   // it, t is right to 2^-23.
-  const double area_size = size_of(edge1) * size_of(edge2);
-  const double height_size = area_size * size_of(way);
-  const bool slope_is_open = std::abs(slope) < 0x1p-25 * area_size * size_of(ray.wide_direction);
+  const double area_size = sum_of_magnitudes(edge1) * sum_of_magnitudes(edge2);
+  const double height_size = area_size * sum_of_magnitudes(way);
+  const bool slope_is_open =
+      std::abs(slope) < 0x1p-25 * area_size * sum_of_magnitudes(ray.wide_direction);
   if (slope_is_open || std::abs(height) < 0x1p-25 * height_size) {
     // Nearly every ray that leaves the triangle: it is surely behind its origin.
     const bool is_behind = !slope_is_open && (height < 0.0) != (slope < 0.0) &&

@@ -92,7 +92,7 @@ struct TrianglePlane {
         edge2(Vec3d(vertices[2]) - corner),
         normal(glm::cross(edge1, edge2)),
         area_size(sum_of_magnitudes(edge1) * sum_of_magnitudes(edge2)) {}
-  static double sum_of_magnitudes(Vec3d v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
   Vec3d corner, edge1, edge2, normal;
   double area_size;
 };
