@@ -35,12 +35,15 @@ struct TimedResults {
   std::vector<double> seconds;
 };
 
+CastParams cast_params(const CastOptions& options) {
+  return {.query = options.any ? CastParams::Query::any : CastParams::Query::closest,
+          .traversal = options.tree.traversal,
+          .threads = options.tree.build.threads};
+}
+
 TimedResults cast_repeatedly(const World& world, std::span<const Ray> rays,
                              const CastOptions& options) {
-  const CastParams params{
-      .query = options.any ? CastParams::Query::any : CastParams::Query::closest,
-      .traversal = options.tree.traversal,
-      .threads = options.tree.build.threads};
+  const CastParams params = cast_params(options);
   const int repeats = std::max(1, options.repeats);
   Progress progress("rays", static_cast<double>(rays.size()) * repeats,
                     options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
@@ -54,12 +57,12 @@ TimedResults cast_repeatedly(const World& world, std::span<const Ray> rays,
   return timed;
 }
 
-void print_rate(std::size_t rays, const std::vector<double>& seconds) {
+void print_rate(std::size_t rays, const std::vector<double>& seconds, const CastParams& params) {
   std::vector<double> rates;  // Mrays/s
   for (const double s : seconds) rates.push_back(static_cast<double>(rays) / 1e6 / s);
   const Measured rate = summarise(std::move(rates));
-  fmt::print(stderr, "median {:.3f} Mrays/s of {} repeat{}, spread {:.3f}\n", rate.median,
-             rate.repeats, rate.repeats == 1 ? "" : "s", rate.spread);
+  fmt::print(stderr, "median {:.3f} Mrays/s of {} repeat{}, spread {:.3f}, {}\n", rate.median,
+             rate.repeats, rate.repeats == 1 ? "" : "s", rate.spread, cast_kernel(params));
 }
 
 Result<void> run_cast(const CastOptions& options) {
@@ -73,7 +76,7 @@ Result<void> run_cast(const CastOptions& options) {
   const auto written = write_output(options.output, options.any ? format_occlusion(timed.results)
                                                                 : format_results(timed.results));
   if (!written) return written;
-  if (options.repeats > 0) print_rate(rays->size(), timed.seconds);
+  if (options.repeats > 0) print_rate(rays->size(), timed.seconds, cast_params(options));
   return {};
 }
 

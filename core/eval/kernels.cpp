@@ -116,7 +116,11 @@ Kernel make_packet_kernel() {
   };
   kernel.occluded = [](const World& world) -> Kernel::Occluded {
     return [=](std::span<const Ray> rays, std::span<char> results) {
-      any_hits(world, rays, SideRule::two_sided, results);
+      thread_local std::vector<std::uint32_t> objects;
+      objects.resize(rays.size());
+      any_hits(world, rays, SideRule::two_sided, objects);
+      std::ranges::transform(objects, results.begin(),
+                             [](std::uint32_t object) { return object != no_index; });
     };
   };
   return kernel;

@@ -4,6 +4,7 @@
 //
 #include <hwy/highway.h>
 
+#include <bit>
 #include <optional>
 
 #include "core/bsp/traverse_packet-inl.h"
@@ -57,23 +58,31 @@ class Packet {
     return find_plain_rays() & ((1u << count) - 1u);
   }
 
-  /// Finds what rays of `lanes` hit: the nearest, or anything. Takes those of the lowest one's
-  /// class and removes them.
-  template <bool any>
-  void trace(unsigned& lanes) {
+  /// Lanes whose rays run the same way.
+  struct Class {
+    unsigned lanes;
+    int main_axis;
+    unsigned negative;  ///< bit axis
+  };
+  /// The class of the lowest of `lanes`.
+  Class class_among(unsigned lanes) const {
     const int lowest = __builtin_ctz(lanes);
-    const auto same = [&](unsigned set) { return (set >> lowest & 1u) != 0 ? set : ~set; };
-    unsigned together = lanes & same(classes_.x_is_main) & same(classes_.y_is_main);
-    unsigned negative = 0;
+    const auto has = [&](unsigned set) { return (set >> lowest & 1u) != 0; };
+    const auto same = [&](unsigned set) { return has(set) ? set : ~set; };
+    Class found{lanes & same(classes_.x_is_main) & same(classes_.y_is_main), 2, 0};
+    if (has(classes_.x_is_main)) found.main_axis = 0;
+    if (has(classes_.y_is_main)) found.main_axis = 1;
     for (int axis = 0; axis < 3; ++axis) {
-      together &= same(classes_.negative[axis]);
-      negative |= (classes_.negative[axis] >> lowest & 1u) << axis;
+      found.lanes &= same(classes_.negative[axis]);
+      found.negative |= (classes_.negative[axis] >> lowest & 1u) << axis;
     }
-    lanes &= ~together;
-    const int main_axis = classes_.x_is_main >> lowest & 1u   ? 0
-                          : classes_.y_is_main >> lowest & 1u ? 1
-                                                              : 2;
-    set_class(together, main_axis, negative);
+    return found;
+  }
+
+  /// Finds what the rays of a class hit: the nearest, or anything.
+  template <bool any>
+  void trace(const Class& rays) {
+    set_class(rays);
     traverse_packet(world_.tree, walk_, [&](const Node& node, unsigned passing) {
       for (const std::uint32_t id : world_.tree.objects_of(node)) {
         passing &= rays_.active;
@@ -152,18 +161,18 @@ class Packet {
     hn::Store(exit, floats, exit_);
   }
 
-  void set_class(unsigned lanes, int main_axis, unsigned negative) {
+  void set_class(const Class& rays) {
     constexpr float inf = std::numeric_limits<float>::infinity();
-    rays_.kz = main_axis;
-    rays_.kx = main_axis == 2 ? 0 : main_axis + 1;
+    rays_.kz = rays.main_axis;
+    rays_.kx = rays_.kz == 2 ? 0 : rays_.kz + 1;
     rays_.ky = rays_.kx == 2 ? 0 : rays_.kx + 1;
     const FloatV z = load(rays_.direction[rays_.kz]);
     hn::Store(hn::Div(load(rays_.direction[rays_.kx]), z), floats, rays_.shear_x);
     hn::Store(hn::Div(load(rays_.direction[rays_.ky]), z), floats, rays_.shear_y);
-    rays_.active = lanes;
-    walk_.negative = negative;
+    rays_.active = rays.lanes;
+    walk_.negative = rays.negative;
     for (int lane = 0; lane < lane_count(); ++lane) {
-      const bool takes_part = lanes >> lane & 1u;
+      const bool takes_part = rays.lanes >> lane & 1u;
       walk_.enter[lane] = takes_part ? enter_[lane] : inf;
       walk_.exit[lane] = takes_part ? exit_[lane] : -inf;
       walk_.reach[lane] = inf;
@@ -251,15 +260,26 @@ Hit find_alone(const World& world, const Ray& ray, SideRule rule, bool any) {
   return {0.0, any_hit(world, ray, rules, none), no_leaf};
 }
 
+/// Fewer rays than this are faster one by one.
+constexpr int fewest_together = 3;
+
 /// Traces up to lane_count() rays; found(i, hit) takes the answers.
 template <bool any, class Found>
 void trace_some(Packet& packet, const World& world, std::span<const Ray> rays, SideRule rule,
                 const Found& found) {
-  const unsigned plain = world.tree.naive ? 0 : packet.load_rays(rays);
-  for (unsigned remaining = plain; remaining != 0;) packet.trace<any>(remaining);
+  unsigned together = world.tree.naive ? 0 : packet.load_rays(rays);
+  for (unsigned open = together; open != 0;) {
+    const Packet::Class next = packet.class_among(open);
+    open &= ~next.lanes;
+    if (std::popcount(next.lanes) < fewest_together) {
+      together &= ~next.lanes;
+    } else {
+      packet.trace<any>(next);
+    }
+  }
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const bool is_plain = plain >> i & 1u;
-    found(i, is_plain ? packet.best(static_cast<int>(i)) : find_alone(world, rays[i], rule, any));
+    const bool is_done = together >> i & 1u;
+    found(i, is_done ? packet.best(static_cast<int>(i)) : find_alone(world, rays[i], rule, any));
   }
 }
 
@@ -283,8 +303,9 @@ void closest_hits_here(const World& world, std::span<const Ray> rays, SideRule r
 }
 
 void any_hits_here(const World& world, std::span<const Ray> rays, SideRule rule,
-                   std::span<char> hits) {
-  trace_all<true>(world, rays, rule, [&](std::size_t i, const Hit& hit) { hits[i] = hit ? 1 : 0; });
+                   std::span<std::uint32_t> objects) {
+  trace_all<true>(world, rays, rule,
+                  [&](std::size_t i, const Hit& hit) { objects[i] = hit.object; });
 }
 
 int width_here() {
@@ -311,8 +332,9 @@ void closest_hits(const World& world, std::span<const Ray> rays, SideRule rule,
   HWY_DYNAMIC_DISPATCH(closest_hits_here)(world, rays, rule, hits);
 }
 
-void any_hits(const World& world, std::span<const Ray> rays, SideRule rule, std::span<char> hits) {
-  HWY_DYNAMIC_DISPATCH(any_hits_here)(world, rays, rule, hits);
+void any_hits(const World& world, std::span<const Ray> rays, SideRule rule,
+              std::span<std::uint32_t> objects) {
+  HWY_DYNAMIC_DISPATCH(any_hits_here)(world, rays, rule, objects);
 }
 
 int packet_width() {

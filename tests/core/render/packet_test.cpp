@@ -44,7 +44,7 @@ void expect_answers_of_single_rays(const Scene& scene, const std::vector<Ray>& r
   const auto tree = build_scene_tree(scene, {});
   const World world{scene, *tree};
   std::vector<Hit> hits(rays.size());
-  std::vector<char> found(rays.size());
+  std::vector<std::uint32_t> found(rays.size());
   closest_hits(world, rays, rule, hits);
   any_hits(world, rays, rule, found);
   NoObserver none;
@@ -52,9 +52,13 @@ void expect_answers_of_single_rays(const Scene& scene, const std::vector<Ray>& r
   const TraceRules rules{.sides = rule, .shadow_sides = rule};
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const Hit single = closest_hit(world, rays[i], rules, none);
+    const double t_found =
+        found[i] == no_index ? no_hit : hit_object(scene, found[i], RayQuery(rays[i]), rule);
+    ASSERT_EQ(t_found != no_hit, found[i] != no_index) << "ray " << i;
     ASSERT_EQ(hits[i].object, single.object) << "ray " << i;
     ASSERT_EQ(hits[i].t, single.t) << "ray " << i;
-    ASSERT_EQ(found[i] != 0, any_hit(world, rays[i], rules, none) != no_index) << "ray " << i;
+    ASSERT_EQ(found[i] != no_index, any_hit(world, rays[i], rules, none) != no_index)
+        << "ray " << i;
     hit_count += single ? 1 : 0;
   }
   EXPECT_GT(hit_count, static_cast<int>(rays.size()) / 20);
