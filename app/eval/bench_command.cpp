@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "app/eval/commands.h"
@@ -32,24 +31,6 @@ struct BenchOptions {
   double max_objects = ScaleParams{}.max_objects;
   bool quiet = false;
 };
-
-Result<std::vector<Scene>> load_scenes(const std::vector<std::string>& names) {
-  std::vector<Scene> scenes;
-  for (const std::string& name : names.empty() ? standard_scenes : names) {
-    Result<Scene> scene = load_scene(name);
-    if (!scene) return scene.error();
-    scenes.push_back(*std::move(scene));
-  }
-  return scenes;
-}
-
-Result<void> make_folder(const std::string& folder) {
-  if (folder.empty()) return {};
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return Error{folder + ": cannot be made a folder: " + error.message()};
-  return check_writable(std::filesystem::path(folder) / "bench.svg");
-}
 
 BenchParams bench_params(const BenchOptions& options) {
   BenchParams params = options.params;
@@ -127,7 +108,7 @@ Result<Texts> measure_scale(const BenchOptions& options, const Watch& watch) {
 Result<Texts> measure(const BenchOptions& options, const Watch& watch) {
   if (options.scale) return measure_scale(options, watch);
   if (options.povray) return measure_pictures(options, watch);
-  const auto scenes = load_scenes(options.scenes);
+  const auto scenes = load_scenes(options.scenes.empty() ? standard_scenes : options.scenes);
   if (!scenes) return scenes.error();
   const auto report = run_bench(*scenes, bench_params(options), watch);
   return report ? Result<Texts>(texts_of(*report)) : report.error();
@@ -135,7 +116,7 @@ Result<Texts> measure(const BenchOptions& options, const Watch& watch) {
 
 Result<void> run_bench_command(const BenchOptions& options) {
   if (const auto ready = check_output(options.json); !ready) return ready;
-  if (const auto ready = make_folder(options.folder); !ready) return ready;
+  if (const auto ready = make_folder(options.folder, "bench.svg"); !ready) return ready;
   const auto texts = [&] {
     Progress progress("scenes", 1.0, options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
     Watch watch;

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "core/base/file.h"
 #include "core/render/scene_tree.h"
@@ -39,6 +40,24 @@ Result<void> write_output(const std::string& file, std::string_view bytes) {
 Result<void> check_output(const std::string& file) {
   if (file.empty() || file == "-") return {};
   return check_writable(file);
+}
+
+Result<void> make_folder(const std::string& folder, const std::string& file) {
+  if (folder.empty()) return {};
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return Error{folder + ": cannot be made a folder: " + error.message()};
+  return check_writable(std::filesystem::path(folder) / file);
+}
+
+Result<std::vector<Scene>> load_scenes(const std::vector<std::string>& names) {
+  std::vector<Scene> scenes;
+  for (const std::string& name : names) {
+    Result<Scene> scene = load_scene(name);
+    if (!scene) return scene.error();
+    scenes.push_back(*std::move(scene));
+  }
+  return scenes;
 }
 
 Result<SceneAndTree> load_and_build(const TreeOptions& options) {

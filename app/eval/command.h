@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/options/tree_options.h"
 #include "core/base/result.h"
@@ -31,6 +32,11 @@ Result<void> write_output(const std::string& file, std::string_view bytes);
 
 /// Whether write_output will find its place; for "" (no output asked for), yes.
 Result<void> check_output(const std::string& file);
+
+/// Makes the folder of -o, in which `file` can then be written; for "", nothing.
+Result<void> make_folder(const std::string& folder, const std::string& file);
+
+Result<std::vector<Scene>> load_scenes(const std::vector<std::string>& names);
 
 struct SceneAndTree {
   Scene scene;

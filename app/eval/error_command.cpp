@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -35,24 +34,6 @@ struct ErrorOptions {
   bool quiet = false;
 };
 
-Result<std::vector<Scene>> load_scenes(const std::vector<std::string>& names) {
-  std::vector<Scene> scenes;
-  for (const std::string& name : names.empty() ? standard_scenes : names) {
-    Result<Scene> scene = load_scene(name);
-    if (!scene) return scene.error();
-    scenes.push_back(*std::move(scene));
-  }
-  return scenes;
-}
-
-Result<void> make_folder(const std::string& folder) {
-  if (folder.empty()) return {};
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return Error{folder + ": cannot be made a folder: " + error.message()};
-  return check_writable(std::filesystem::path(folder) / "error.html");
-}
-
 int timing_threads(const ErrorOptions& options) {
   return options.threads_given ? options.tree.build.threads : 1;
 }
@@ -69,7 +50,7 @@ ErrorParams error_params(const ErrorOptions& options) {
 }
 
 Result<void> measure_rays(const ErrorOptions& options, const Watch& watch, ErrorStudy& study) {
-  const auto scenes = load_scenes(options.scenes);
+  const auto scenes = load_scenes(options.scenes.empty() ? standard_scenes : options.scenes);
   if (!scenes) return scenes.error();
   auto report = measure_errors(*scenes, error_params(options), watch);
   if (!report) return report.error();
@@ -141,7 +122,7 @@ Result<void> save(const ErrorStudy& study, const ErrorOptions& options) {
 
 Result<void> run_error(const ErrorOptions& options) {
   if (const auto ready = check_output(options.json); !ready) return ready;
-  if (const auto ready = make_folder(options.folder); !ready) return ready;
+  if (const auto ready = make_folder(options.folder, "error.html"); !ready) return ready;
   ErrorStudy study;
   const auto rays = [&](const Watch& watch) { return measure_rays(options, watch, study); };
   const auto pictures = [&](const Watch& watch) { return measure_pictures(options, watch, study); };

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/eval/machine_json.h"
 #include "core/eval/report.h"
 #include "core/eval/symbols.h"
 
@@ -132,14 +133,6 @@ Json rays_json(const Report& report) {
                  report.rays.has_value());
 }
 
-Json machine_json(const Machine& machine) {
-  return {{"cpu", machine.cpu},
-          {"cores", machine.cores},
-          {"simd", machine.simd},
-          {"compiler", machine.compiler},
-          {"version", machine.version}};
-}
-
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -149,7 +142,7 @@ std::string to_json(const Report& report) {
                       {"delta", delta_json(report)},
                       {"lambda", lambda_json(report)},
                       {"rays", rays_json(report)},
-                      {"machine", machine_json(report.machine)}};
+                      {"machine", machine_json<Json>(report.machine)}};
   std::string text;
   for (const auto& [name, section] : sections.items()) {
     text += text.empty() ? "{\n" : ",\n";

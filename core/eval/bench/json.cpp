@@ -2,6 +2,7 @@
 
 #include "core/eval/bench/report.h"
 #include "core/eval/bench/summary.h"
+#include "core/eval/machine_json.h"
 
 namespace bspview {
 namespace {
@@ -85,11 +86,7 @@ std::string to_json(const BenchReport& report) {
     json[key] = {{"mean_ratio", means_json(report, *scenes)}, {"scenes", Json::array()}};
     for (const SceneTimes& scene : *scenes) json[key]["scenes"].push_back(scene_json(scene, base));
   }
-  json["machine"] = {{"cpu", machine.cpu},
-                     {"cores", machine.cores},
-                     {"simd", machine.simd},
-                     {"compiler", machine.compiler},
-                     {"version", machine.version}};
+  json["machine"] = machine_json<Json>(machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

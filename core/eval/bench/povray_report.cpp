@@ -5,6 +5,7 @@
 
 #include "core/eval/bench/povray.h"
 #include "core/eval/lambda.h"
+#include "core/eval/machine_json.h"
 
 namespace bspview {
 namespace {
@@ -61,11 +62,7 @@ std::string to_json(const PovrayReport& report) {
                                 {"povray_bsp", seconds_json(times.bsp)},
                                 {"ratio", povray_ratio(times)}});
   }
-  json["machine"] = {{"cpu", machine.cpu},
-                     {"cores", machine.cores},
-                     {"simd", machine.simd},
-                     {"compiler", machine.compiler},
-                     {"version", machine.version}};
+  json["machine"] = machine_json<Json>(machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/eval/bench/scale.h"
 #include "core/eval/bench/summary.h"
+#include "core/eval/machine_json.h"
 
 namespace bspview {
 namespace {
@@ -149,11 +150,7 @@ std::string to_json(const ScaleReport& report) {
     json["threads"].push_back(
         {{"threads", times.threads}, {"kind", name_of(times.kind)}, {"peers", std::move(rays)}});
   }
-  json["machine"] = {{"cpu", machine.cpu},
-                     {"cores", machine.cores},
-                     {"simd", machine.simd},
-                     {"compiler", machine.compiler},
-                     {"version", machine.version}};
+  json["machine"] = machine_json<Json>(machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

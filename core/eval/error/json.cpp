@@ -4,6 +4,8 @@
 
 #include "core/eval/error/report.h"
 
+#include "core/eval/machine_json.h"
+
 namespace bspview {
 namespace {
 
@@ -165,11 +167,7 @@ std::string to_json(const ErrorStudy& study) {
   json["images"] = Json::array();
   for (const SceneImageError& image : study.images) json["images"].push_back(image_json(image));
   const Machine& machine = study.rays.machine;
-  json["machine"] = {{"cpu", machine.cpu},
-                     {"cores", machine.cores},
-                     {"simd", machine.simd},
-                     {"compiler", machine.compiler},
-                     {"version", machine.version}};
+  json["machine"] = machine_json<Json>(machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

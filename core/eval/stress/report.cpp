@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/machine.h"
+#include "core/eval/machine_json.h"
 #include "core/eval/stress/stress.h"
 
 namespace bspview::stress {
@@ -77,11 +78,7 @@ std::string to_json(std::span<const Row> rows, std::uint64_t seed) {
             {"seconds", sum.seconds},
             {"rows", Json::array()}};
   for (const Row& row : rows) json["rows"].push_back(json_of(row, seed));
-  json["machine"] = Json{{"cpu", machine.cpu},
-                         {"cores", machine.cores},
-                         {"simd", machine.simd},
-                         {"compiler", machine.compiler},
-                         {"version", machine.version}};
+  json["machine"] = machine_json<Json>(machine);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

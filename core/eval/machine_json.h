@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/machine.h"
+
+namespace bspview {
+
+/// The key `machine` of every report.
+template <class Json>
+Json machine_json(const Machine& machine) {
+  return {{"cpu", machine.cpu},
+          {"cores", machine.cores},
+          {"simd", machine.simd},
+          {"compiler", machine.compiler},
+          {"version", machine.version}};
+}
+
+}  // namespace bspview
