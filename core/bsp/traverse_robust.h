@@ -15,8 +15,8 @@ namespace bspview {
 template <class Leaf, class Observer>
 std::uint32_t traverse_robust(const Tree& tree, const RayWalk& ray, Leaf&& leaf,
                               Observer& observer) {
-  // Cells overlap by the widths of their borders, so that one further down the stack may be entered
-  // before the one on top: up to 1 + 2 plane_error before it.
+  // Cells overlap by their borders: one further down the stack may be entered 2 plane_error before
+  // the one on top. Polygons off their plane are met up to longest_passage (polygon.h) too soon.
   constexpr double sooner = 1.0 - 8.0 * plane_error, later = 1.0 + 8.0 * plane_error;
   RayInterval interval = root_interval(tree, ray);
   if (!(interval.enter <= interval.exit)) return no_leaf;

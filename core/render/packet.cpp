@@ -226,7 +226,8 @@ class Packet {
   /// The ray of a lane by itself, made when it is first needed.
   const RayQuery& query(int lane) {
     std::optional<RayQuery>& query = queries_[lane];
-    if (!query) query.emplace(rays_.ray(lane), rays_.reach_error * 0x1p24f);
+    if (!query)
+      query.emplace(rays_.ray(lane), rays_.reach_error * 0x1p24f, has_triangles(world_.scene));
     return *query;
   }
 

@@ -1,6 +1,5 @@
 #include "core/render/surface.h"
 
-#include <array>
 #include <vector>
 
 #include "core/math/float_error.h"
@@ -40,14 +39,14 @@ double thickness_of(const Scene& scene, const Object& object) {
 /// The normals of a patch at the hit, interpolated.
 Vec3d patch_normal(const Scene& scene, const Face& face, const Ray& ray, Vec3d point) {
   const auto normals = std::span(scene.normals).subspan(face.first_normal, face.vertex_count);
-  std::vector<float> weights(face.vertex_count);
   const std::span<const Vec3> vertices = vertices_of(scene, face);
   if (face.vertex_count == 3) {
     const Vec2 w = triangle_weights(ray, vertices.data());
-    weights = {1.0f - w.x - w.y, w.x, w.y};
-  } else {
-    mean_value_coordinates(vertices, Vec3(point), weights);
+    return Vec3d((1.0f - w.x - w.y) * normals[0]) + Vec3d(w.x * normals[1]) +
+           Vec3d(w.y * normals[2]);
   }
+  std::vector<float> weights(face.vertex_count);
+  mean_value_coordinates(vertices, Vec3(point), weights);
   Vec3d normal(0.0);
   for (std::size_t i = 0; i < normals.size(); ++i) normal += Vec3d(weights[i] * normals[i]);
   return normal;
