@@ -17,12 +17,14 @@
 namespace bspview {
 namespace {
 
-/// An empty folder that goes with its owner.
+/// An empty folder that goes with its owner; its path is empty when none can be made.
 class Folder {
  public:
   Folder() {
-    std::string path = (std::filesystem::temp_directory_path() / "bspview-povray-XXXXXX").string();
-    if (::mkdtemp(path.data()) != nullptr) path_ = path;
+    std::error_code error;
+    const std::filesystem::path place = std::filesystem::temp_directory_path(error);
+    std::string path = (place / "bspview-povray-XXXXXX").string();
+    if (!error && ::mkdtemp(path.data()) != nullptr) path_ = path;
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
@@ -49,6 +51,7 @@ class PovrayRun {
   }
 
   Result<void> add(const Scene& scene, double share) {
+    if (folder_.path().empty()) return Error{"no temporary folder can be made for POV-Ray's files"};
     const Result<Tree> tree = build_scene_tree(scene, params_.build, watch_.stop);
     if (!tree) return tree.error();
     const auto written =

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/eval/bspeval.h"
@@ -56,6 +57,14 @@ TEST_F(BenchCommand, WithoutPovRayThatIsSaid) {
   } else {
     EXPECT_EQ(outcome.err, "bspeval: povray: does not run; install povray for --povray\n");
   }
+}
+
+TEST_F(BenchCommand, WithoutAPlaceForPovRaysFilesThatIsSaid) {
+  ::setenv("TMPDIR", "/missing", 1);
+  const Outcome outcome = run("bench s.nff --povray --repeat 1");
+  ::unsetenv("TMPDIR");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "bspeval: no temporary folder can be made for POV-Ray's files\n");
 }
 
 TEST_F(BenchCommand, WhatCannotBeDoneIsSaidBeforeTheWork) {
