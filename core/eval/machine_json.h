@@ -7,8 +7,7 @@
 namespace bspview {
 
 /// The key `machine` of every report.
-template <class Json>
-Json machine_json(const Machine& machine) {
+inline nlohmann::ordered_json machine_json(const Machine& machine) {
   return {{"cpu", machine.cpu},
           {"cores", machine.cores},
           {"simd", machine.simd},

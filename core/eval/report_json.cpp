@@ -142,7 +142,7 @@ std::string to_json(const Report& report) {
                       {"delta", delta_json(report)},
                       {"lambda", lambda_json(report)},
                       {"rays", rays_json(report)},
-                      {"machine", machine_json<Json>(report.machine)}};
+                      {"machine", machine_json(report.machine)}};
   std::string text;
   for (const auto& [name, section] : sections.items()) {
     text += text.empty() ? "{\n" : ",\n";

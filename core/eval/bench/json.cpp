@@ -86,7 +86,7 @@ std::string to_json(const BenchReport& report) {
     json[key] = {{"mean_ratio", means_json(report, *scenes)}, {"scenes", Json::array()}};
     for (const SceneTimes& scene : *scenes) json[key]["scenes"].push_back(scene_json(scene, base));
   }
-  json["machine"] = machine_json<Json>(machine);
+  json["machine"] = machine_json(machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

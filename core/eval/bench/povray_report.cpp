@@ -62,7 +62,7 @@ std::string to_json(const PovrayReport& report) {
                                 {"povray_bsp", seconds_json(times.bsp)},
                                 {"ratio", povray_ratio(times)}});
   }
-  json["machine"] = machine_json<Json>(machine);
+  json["machine"] = machine_json(machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

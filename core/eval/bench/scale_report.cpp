@@ -150,7 +150,7 @@ std::string to_json(const ScaleReport& report) {
     json["threads"].push_back(
         {{"threads", times.threads}, {"kind", name_of(times.kind)}, {"peers", std::move(rays)}});
   }
-  json["machine"] = machine_json<Json>(machine);
+  json["machine"] = machine_json(machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -167,7 +167,7 @@ std::string to_json(const ErrorStudy& study) {
   json["images"] = Json::array();
   for (const SceneImageError& image : study.images) json["images"].push_back(image_json(image));
   const Machine& machine = study.rays.machine;
-  json["machine"] = machine_json<Json>(machine);
+  json["machine"] = machine_json(machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -78,7 +78,7 @@ std::string to_json(std::span<const Row> rows, std::uint64_t seed) {
             {"seconds", sum.seconds},
             {"rows", Json::array()}};
   for (const Row& row : rows) json["rows"].push_back(json_of(row, seed));
-  json["machine"] = machine_json<Json>(machine);
+  json["machine"] = machine_json(machine);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
