@@ -20,6 +20,7 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, const Branch
                [&](std::size_t i) { whole.nodes.push_back(moved(part.nodes[i + 1])); });
   job.for_each(part.references.size(), light_steps,
                [&](std::size_t i) { whole.references.push_back(part.references[i]); });
+  whole.inner.insert(whole.inner.end(), part.inner.begin(), part.inner.end());
   whole.metered += part.metered - sizeof(Node);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bsp/build_job.h"
+#include "core/bsp/inner_objects.h"
 #include "core/bsp/node.h"
 #include "core/bsp/scratch_stack.h"
 
@@ -15,7 +16,8 @@ namespace bspview {
 struct Branch {
   std::vector<Node> nodes;  ///< [0] is the branch's root; children come in pairs behind parents
   std::vector<std::uint32_t> references;
-  std::size_t metered = 0;  ///< bytes that the job's meter knows of
+  std::vector<InnerObjects::List> inner;  ///< where the job keeps them; the root's first
+  std::size_t metered = 0;                ///< bytes that the job's meter knows of
   ScratchStack scratch;
 
   std::size_t bytes() const {

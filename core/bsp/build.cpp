@@ -98,12 +98,15 @@ std::optional<GrownTree> grow_to(int depth, const Rule& rule, BuildJob job) {
   } catch (const MemoryLimitPassed&) {
     return {};
   }
+  if (job.inner) job.inner->lists = std::move(branch.inner);
   return GrownTree{std::move(branch.nodes), std::move(branch.references)};
 }
 
 /// The whole tree, or else the deepest one that the memory limit allows.
-GrownTree grow_tree(const Rule& rule, const BuildJob& job) {
+GrownTree grow_tree(const Rule& rule, BuildJob job) {
   if (auto whole = grow_to(job.max_depth, rule, job)) return *std::move(whole);
+  if (job.inner) job.inner->give_up();
+  job.inner = nullptr;
   int fitting = 0, too_deep = job.max_depth;
   std::optional<GrownTree> cut;
   while (too_deep - fitting > 1) {
@@ -139,14 +142,16 @@ std::string_view name_of(Builder builder) {
   return rule_names[static_cast<std::size_t>(builder)];
 }
 
-Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop) {
+Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop,
+                        InnerObjects* inner) {
   const Timer timer;
   if (input.boxes.size() > most_objects) {
     return Error{
         fmt::format("a tree holds at most {} objects, not {}", most_objects, input.boxes.size())};
   }
   try {
-    const BuildJob job = make_job(input, params, std::move(stop));
+    BuildJob job = make_job(input, params, std::move(stop));
+    job.inner = inner;
     const Rule& rule = rules[static_cast<std::size_t>(params.builder)];
     GrownTree grown;
     with_threads(params.threads, [&] { grown = grow_tree(rule, job); });
@@ -161,6 +166,8 @@ Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std:
                 .build_seconds = timer.seconds()};
   } catch (const BuildStopped&) {
     return Error{"stopped"};
+  } catch (const InnerObjectsPassed&) {
+    return Error{"what the inner nodes hold takes too much memory"};
   } catch (const std::bad_alloc&) {
     return Error{"not enough memory for the tree"};
   }

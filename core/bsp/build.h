@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include "core/base/result.h"
+#include "core/bsp/inner_objects.h"
 #include "core/bsp/tree.h"
 
 namespace bspview {
@@ -24,8 +25,9 @@ struct BuildInput {
 /// Builds a tree. The result depends on no thread count and no timing. The maximal depth is clamped
 /// to depth_cap, the leaf size to at least 1; where the memory limit leaves no room for two
 /// children, a node becomes a leaf. Fails with the error "stopped" soon (within milliseconds) after
-/// `stop` is requested, and when memory runs out.
+/// `stop` is requested, and when memory runs out. Fills `inner`, unless one of the limits is
+/// passed.
 Result<Tree> build_tree(const BuildInput& input, const BuildParams& params,
-                        std::stop_token stop = {});
+                        std::stop_token stop = {}, InnerObjects* inner = nullptr);
 
 }  // namespace bspview

@@ -29,7 +29,8 @@ struct BuildJob {
   bool clip = false;
   double min_width = 0.0;  ///< of a cell that a split makes; not 0
   std::size_t memory_limit = 0;
-  MemoryMeter* meter = nullptr;  ///< null: memory is not limited
+  MemoryMeter* meter = nullptr;   ///< null: memory is not limited
+  InnerObjects* inner = nullptr;  ///< null: what inner nodes hold is not kept
   std::stop_token stop = {};
 
   void poll() const {

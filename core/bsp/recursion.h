@@ -46,6 +46,7 @@ class Recursion {
     job_.poll();
     const std::optional<Split> split = wanted_split(objects, place);
     if (!split) return make_leaf(objects, slot);
+    if (job_.inner) slot.branch.inner.push_back(job_.inner->keep(objects));
 
     const Cells cells = split_cell(place.cell, split->axis, split->position);
     Objects right = objects.split(*split, cells, slot.branch.scratch);

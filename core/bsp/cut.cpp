@@ -1,0 +1,114 @@
+#include "core/bsp/cut.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/base/timer.h"
+#include "core/bsp/cost.h"
+
+namespace bspview {
+namespace {
+
+int least_leaf_size(const BuildParams& params) {
+  return std::max(1, params.leaf_size);
+}
+
+bool same_costs(const CostModel& a, const CostModel& b) {
+  return a.traversal == b.traversal && a.intersection == b.intersection &&
+         a.empty_factor == b.empty_factor;
+}
+
+int deepest_leaf(const Tree& tree) {
+  std::vector<std::uint8_t> depths(tree.nodes.size(), 0);
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const Node& node = tree.nodes[i];
+    if (!node.is_leaf()) depths[node.left()] = depths[node.right()] = depths[i] + 1;
+  }
+  return *std::ranges::max_element(depths);
+}
+
+/// Grows a tree like Recursion does, with the planes of another one.
+class Regrowth {
+ public:
+  Regrowth(const MaximalTree& whole, Tree& tree)
+      : whole_(*whole.tree), inner_(whole.inner->lists), tree_(tree) {}
+
+  void grow_root() {
+    tree_.nodes.push_back(Node::make_leaf(0, 0));
+    grow(0, 0, 0);
+  }
+
+ private:
+  /// Makes node `from` of the whole tree node `to` of the new one.
+  void grow(std::uint32_t from, std::uint32_t to, int depth) {
+    const Node& node = whole_.nodes[from];
+    if (node.is_leaf()) return make_leaf(to, whole_.objects_of(node));
+    const InnerObjects::List objects = inner_[(node.left() - 1) / 2];
+    const auto leaf_size = static_cast<std::size_t>(least_leaf_size(tree_.params));
+    if (objects.size() <= leaf_size || depth >= tree_.max_depth) return make_leaf(to, objects);
+    const auto left = static_cast<std::uint32_t>(tree_.nodes.size());
+    tree_.nodes[to] = Node::make_inner(node.axis(), node.split(), left);
+    tree_.nodes.resize(left + 2, Node::make_leaf(0, 0));
+    grow(node.left(), left, depth + 1);
+    grow(node.right(), left + 1, depth + 1);
+  }
+
+  void make_leaf(std::uint32_t to, std::span<const std::uint32_t> objects) {
+    const auto first = static_cast<std::uint32_t>(tree_.references.size());
+    tree_.references.insert(tree_.references.end(), objects.begin(), objects.end());
+    tree_.nodes[to] = Node::make_leaf(first, static_cast<std::uint32_t>(objects.size()));
+  }
+
+  const Tree& whole_;
+  const std::span<const InnerObjects::List> inner_;
+  Tree& tree_;
+};
+
+}  // namespace
+
+Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParams& params,
+                                       InnerLimit limit, std::stop_token stop) {
+  auto inner = std::make_unique<InnerObjects>(limit);
+  Result<Tree> tree = build_tree(input, params, std::move(stop), inner.get());
+  if (!tree) return tree.error();
+  if (!inner->complete()) inner.reset();
+  const int deepest = inner ? deepest_leaf(*tree) : 0;
+  return MaximalTree{std::make_shared<Tree>(*std::move(tree)), std::move(inner), deepest};
+}
+
+bool costs_choose_planes(Builder builder) {
+  return builder != Builder::naive && builder != Builder::median &&
+         builder != Builder::median_longest && builder != Builder::object_median;
+}
+
+bool same_planes(const BuildParams& a, const BuildParams& b) {
+  return a.builder == b.builder && effective_clip(a) == effective_clip(b) &&
+         (!costs_choose_planes(a.builder) || same_costs(cost_model(a), cost_model(b)));
+}
+
+bool is_part(const BuildParams& part, const BuildParams& whole, std::size_t objects) {
+  return same_planes(part, whole) && least_leaf_size(part) >= least_leaf_size(whole) &&
+         effective_depth(part, objects) <= effective_depth(whole, objects);
+}
+
+std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params) {
+  const Timer timer;
+  const Tree& uncut = *whole.tree;
+  BuildParams limits = uncut.params;
+  if (whole.deepest_leaf < uncut.max_depth) limits.max_depth = depth_cap;  // it stopped nothing
+  if (!whole.inner || !is_part(params, limits, uncut.object_count)) return {};
+  Tree tree{.box = uncut.box,
+            .object_count = uncut.object_count,
+            .params = params,
+            .max_depth = effective_depth(params, uncut.object_count),
+            .naive = uncut.naive};
+  Regrowth(whole, tree).grow_root();
+  // A lone root and the naive list are made whatever they take.
+  const bool is_limited = tree.max_depth > 0 && !tree.naive;
+  if (is_limited && tree.bytes() > params.memory_limit) return {};
+  tree.build_seconds = timer.seconds();
+  return tree;
+}
+
+}  // namespace bspview

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/bsp/build.h"
+#include "core/bsp/inner_objects.h"
+
+namespace bspview {
+
+/// A tree that others can be cut from. Every builder is greedy: it picks the plane of a node from
+/// the node alone, and maximal depth and leaf size only stop it. So what it builds within tighter
+/// limits is the same tree with some inner nodes made leaves. The costs are no such limits for the
+/// builders that have any: the share of the empty-space bonus that falls on C_T, and rounding where
+/// two planes cost nearly the same, let them choose the plane.
+struct MaximalTree {
+  std::shared_ptr<Tree> tree;
+  std::unique_ptr<const InnerObjects> inner;  ///< null: not kept; nothing can be cut from the tree
+  int deepest_leaf = 0;
+};
+
+/// build_tree, and what cutting needs. That is not kept where it passes `limit`, nor where the tree
+/// reaches its own memory limit. References of inner nodes take about as many bytes as those of the
+/// leaves times the depth.
+Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParams& params,
+                                       InnerLimit limit, std::stop_token stop = {});
+
+/// Whether the builder's costs choose its planes; otherwise they change nothing.
+bool costs_choose_planes(Builder builder);
+
+/// Whether build_tree would choose the same planes for both, as far as the limits let it.
+bool same_planes(const BuildParams& a, const BuildParams& b);
+
+/// Whether build_tree with `part` makes a part of what it makes of as many objects with `whole`,
+/// memory limits aside.
+bool is_part(const BuildParams& part, const BuildParams& whole, std::size_t objects);
+
+/// The tree that build_tree would make of the same objects, node for node; nothing where that is
+/// not a part of `whole`, or larger than params.memory_limit. Its build_seconds are those of the
+/// cut. O(size of the result).
+std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params);
+
+}  // namespace bspview
