@@ -12,14 +12,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// See Stage. A dropped build ends at once; coarse pixels and lines are soon there and keep a
-// moving camera alive.
-constexpr auto build_patience = 40ms;
+// See Stage::Patience. Builds of a frame's length are live; coarse pixels and lines are soon there
+// and keep a moving camera alive.
+constexpr auto build_patience = 33ms;
 constexpr auto drawing_patience = 300ms;
 constexpr auto rest_after = 150ms;     // without motion of the camera
 constexpr int frames_to_focus = 2;     // until a text field that was asked to has the keyboard
 constexpr auto tooltip_after = 400ms;  // without motion of the pointer
-constexpr auto overdue_nap = 15ms;     // see Stage::overdue
 
 }  // namespace
 
@@ -28,10 +27,11 @@ App::App(State state, std::function<void()> wake)
       history_(setting()),
       last_setting_(setting()),
       scenes_(open_scene, wake),
-      trees_(grow_tree, wake, build_patience),
-      pictures_(PictureWork{}, wake, drawing_patience),
-      paths_(follow_rays, wake, drawing_patience),
-      overlays_(OverlayWork{}, wake, drawing_patience),
+      trees_(tree_work_, wake,
+             {build_patience, [this](const TreeRequest& wish) { return tree_work_.serves(wish); }}),
+      pictures_(PictureWork{}, wake, {drawing_patience}),
+      paths_(follow_rays, wake, {drawing_patience}),
+      overlays_(OverlayWork{}, wake, {drawing_patience}),
       accuracy_(judge_picture, wake),
       measures_(take_times, wake) {}
 
@@ -102,8 +102,9 @@ std::optional<double> App::next_frame_in() const {
   const Clock::time_point now = Clock::now();
   if (was_moving_) due(last_motion_ + rest_after - now);
   if (tooltips_due_) due(pointer_moved_ + tooltip_after - now);
-  if (trees_.overdue() || pictures_.overdue() || paths_.overdue() || overlays_.overdue())
-    due(overdue_nap);
+  for (const auto& drop :
+       {trees_.drop_due(), pictures_.drop_due(), paths_.drop_due(), overlays_.drop_due()})
+    if (drop) due(*drop - now);
   return soonest;
 }
 

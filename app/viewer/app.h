@@ -97,6 +97,7 @@ class App {
   bool quit_ = false, full_screen_ = false, screenshot_ = false;
 
   Stage<SceneRequest, LoadedScene> scenes_;
+  TreeWork tree_work_;
   Stage<TreeRequest, BuiltTree> trees_;
   Stage<PictureRequest, Picture> pictures_;
   Stage<PathRequest, PixelRays> paths_;

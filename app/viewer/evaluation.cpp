@@ -23,7 +23,8 @@ Evaluation evaluate(const BuiltTree& tree, const Picture* picture, const Measure
   }
   if (measures != nullptr && measures->request.tree.get() == &tree)
     result.lambda = measures->lambda;
-  result.lambda.t_cb = Measured{tree.tree.build_seconds, 0.0, 1};
+  if (tree.origin == BuiltTree::Origin::build)
+    result.lambda.t_cb = Measured{tree.tree.build_seconds, 0.0, 1};
   return result;
 }
 

@@ -39,9 +39,13 @@ struct TreeRequest {
   bool operator==(const TreeRequest&) const = default;
 };
 struct BuiltTree {
-  BuiltTree(const TreeRequest& of, Tree&& built);
+  enum class Origin { build, cut };  ///< cut: from a larger tree; its seconds are no T_CB
+
+  BuiltTree(const TreeRequest& of, std::shared_ptr<const Tree> made, Origin from);
   TreeRequest request;
-  Tree tree;
+  std::shared_ptr<const Tree> shared;
+  const Tree& tree;
+  Origin origin;
   TreeStats stats;
   NodeCells cells;  // of `tree`
 

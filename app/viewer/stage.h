@@ -30,13 +30,20 @@ class Stage {
   /// after `stop` is requested.
   using Work = std::function<Result<void>(const Request&, std::stop_token stop, const Publish&)>;
 
-  /// `wake` is called on the stage's thread whenever there is news. Work that has not published
-  /// anything yet gets `patience` to do so before a newer wish stops it: a slider that moves all
-  /// the time still shows something.
-  Stage(Work work, std::function<void()> wake, Clock::duration patience = {})
+  /// Whether the work under way will make `wish` quick to carry out.
+  using Serves = std::function<bool(const Request& wish)>;
+
+  /// What else may keep a newer wish from stopping work that has not published anything yet.
+  struct Patience {
+    Clock::duration since_start = {};  ///< a slider that moves all the time still shows something
+    Serves serves = nullptr;           ///< null: none does
+  };
+
+  /// `wake` is called on the stage's thread whenever there is news.
+  Stage(Work work, std::function<void()> wake, Patience patience = {})
       : work_(std::move(work)),
         wake_(std::move(wake)),
-        patience_(patience),
+        patience_(std::move(patience)),
         thread_([this](std::stop_token end) { serve(end); }) {}
 
   ~Stage() {
@@ -50,11 +57,11 @@ class Stage {
   void want(const std::optional<Request>& request) {
     const std::lock_guard lock(mutex_);
     if (request != wanted_) replace_wish(request);
-    if (ignored_since_ && Clock::now() - *ignored_since_ >= patience_) job_stop_.request_stop();
+    drop_due_ = find_drop_due();
+    if (drop_due_ && Clock::now() >= *drop_due_) job_stop_.request_stop();
     shown_ = published_;
     error_ = failure_;
     busy_ = working_ || pending_;
-    overdue_ = ignored_since_.has_value();
   }
 
   const std::shared_ptr<const Value>& value() const { return shown_; }
@@ -62,17 +69,23 @@ class Stage {
   const std::optional<Error>& error() const { return error_; }
   /// The last wish is not yet carried out.
   bool busy() const { return busy_; }
-  /// Work that nobody wants any more is still given patience: call want() again soon.
-  bool overdue() const { return overdue_; }
+  /// When to call want() again, at the latest: work that nobody wants any more then ends.
+  const std::optional<Clock::time_point>& drop_due() const { return drop_due_; }
 
  private:
+  std::optional<Clock::time_point> find_drop_due() const {
+    if (!unwanted_ || job_stop_.stop_requested()) return std::nullopt;
+    if (pending_ && patience_.serves && patience_.serves(*pending_)) return std::nullopt;
+    return job_start_ + patience_.since_start;
+  }
+
   void replace_wish(const std::optional<Request>& request) {
     wanted_ = request;
     pending_ = request;
     failure_.reset();
     if (!request) published_.reset();
     if (working_ && (job_published_ || !request)) job_stop_.request_stop();
-    if (working_ && !ignored_since_) ignored_since_ = Clock::now();
+    unwanted_ = working_;
     if (!request) unwanted_job_ = job_;
     news_.notify_one();
   }
@@ -100,6 +113,7 @@ class Stage {
     if (end.stop_requested()) return std::nullopt;
     ++job_;
     job_stop_ = std::stop_source();
+    job_start_ = Clock::now();
     job_published_ = false;
     working_ = true;
     return std::exchange(pending_, std::nullopt);
@@ -111,7 +125,7 @@ class Stage {
       if (job_ == unwanted_job_) return;
       published_ = std::move(value);
       job_published_ = true;
-      if (ignored_since_) job_stop_.request_stop();
+      if (unwanted_) job_stop_.request_stop();
     }
     wake_();
   }
@@ -119,28 +133,29 @@ class Stage {
   void finish(const Result<void>& result) {
     const std::lock_guard lock(mutex_);
     working_ = false;
-    const bool wanted = !ignored_since_.has_value();
-    ignored_since_.reset();
-    if (!result && wanted) failure_ = result.error();
+    if (!result && !unwanted_) failure_ = result.error();
+    unwanted_ = false;
   }
 
   const Work work_;
   const std::function<void()> wake_;
-  const Clock::duration patience_;
+  const Patience patience_;
 
   // Of the interface's thread.
   std::shared_ptr<const Value> shown_;
   std::optional<Error> error_;
-  bool busy_ = false, overdue_ = false;
+  bool busy_ = false;
+  std::optional<Clock::time_point> drop_due_;
 
   std::mutex mutex_;  // guards all below
   std::condition_variable_any news_;
   std::optional<Request> wanted_, pending_;
   std::shared_ptr<const Value> published_;
   std::optional<Error> failure_;
-  std::optional<Clock::time_point> ignored_since_;  // a newer wish than the work under way
-  std::uint64_t job_ = 0, unwanted_job_ = 0;        // numbers of jobs, from 1
+  std::uint64_t job_ = 0, unwanted_job_ = 0;  // numbers of jobs, from 1
+  Clock::time_point job_start_;
   bool working_ = false, job_published_ = false;
+  bool unwanted_ = false;  // there is a newer wish than the work under way
   std::stop_source job_stop_;
   std::jthread thread_;  // last: starts when all else is there
 };

@@ -12,8 +12,13 @@ constexpr double measuring_patience = 5.0;  // seconds: slow pictures are not me
 
 }  // namespace
 
-BuiltTree::BuiltTree(const TreeRequest& of, Tree&& built)
-    : request(of), tree(std::move(built)), stats(tree_stats(tree)), cells(tree) {}
+BuiltTree::BuiltTree(const TreeRequest& of, std::shared_ptr<const Tree> made, Origin from)
+    : request(of),
+      shared(std::move(made)),
+      tree(*shared),
+      origin(from),
+      stats(tree_stats(tree)),
+      cells(tree) {}
 
 Result<void> open_scene(const SceneRequest& request, std::stop_token,
                         const Publish<LoadedScene>& publish) {
@@ -25,14 +30,6 @@ Result<void> open_scene(const SceneRequest& request, std::stop_token,
   loaded->bounds = scene_bounds(*scene);
   loaded->scene = *std::move(scene);
   publish(std::move(loaded));
-  return {};
-}
-
-Result<void> grow_tree(const TreeRequest& request, std::stop_token stop,
-                       const Publish<BuiltTree>& publish) {
-  Result<Tree> tree = build_scene_tree(request.scene->scene, request.params, stop);
-  if (!tree) return tree.error();
-  publish(std::make_shared<const BuiltTree>(request, *std::move(tree)));
   return {};
 }
 
@@ -72,6 +69,12 @@ Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
   Result<Lambda> lambda =
       measure_lambda(request.tree->world(), request.camera, request.params, repeats, stop);
   if (!lambda) return lambda.error();
+  if (request.tree->origin == BuiltTree::Origin::cut) {
+    const TreeRequest& of = request.tree->request;
+    const Result<Tree> rebuilt = build_scene_tree(of.scene->scene, of.params, stop);
+    if (!rebuilt) return rebuilt.error();
+    lambda->t_cb = summarise({rebuilt->build_seconds});
+  }
   publish(std::make_shared<const Measures>(Measures{request, *std::move(lambda)}));
   return {};
 }

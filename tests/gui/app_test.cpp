@@ -51,6 +51,19 @@ TEST(App, DraggingASliderIsOneStepOfUndoAndOneComparison) {
   EXPECT_GT(rig.state().build.leaf_size, 3);
 }
 
+TEST(App, TheBuildOfACutTreeIsTimedAtRest) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  EXPECT_TRUE(rig.results().now->lambda.t_cb);
+  rig.app().state().build.max_depth = 5;
+  ASSERT_TRUE(rig.settle());
+  EXPECT_EQ(rig.results().tree->origin, BuiltTree::Origin::cut);
+  EXPECT_FALSE(rig.results().now->lambda.t_cb);
+  rig.app().state().measure_times = true;
+  ASSERT_TRUE(rig.settle());
+  EXPECT_TRUE(rig.results().now->lambda.t_cb);
+}
+
 TEST(App, ABrokenSceneLeavesTheOldOneAndASentence) {
   AppRig rig(small_scene());
   ASSERT_TRUE(rig.settle());

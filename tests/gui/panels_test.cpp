@@ -16,7 +16,7 @@ Results full_results() {
   Results results;
   const auto fail_unless = [](const Result<void>& result) { ASSERT_TRUE(result.ok()); };
   fail_unless(open_scene({"spd:balls:1", 0}, {}, [&](auto scene) { results.scene = scene; }));
-  fail_unless(grow_tree({results.scene, {}}, {}, [&](auto tree) { results.tree = tree; }));
+  fail_unless(TreeWork{}({results.scene, {}}, {}, [&](auto tree) { results.tree = tree; }));
   PictureRequest request{results.tree, results.scene->scene.camera, {}};
   request.params.width = request.params.height = 32;
   fail_unless(PictureWork{}(request, {}, [&](auto picture) { results.picture = picture; }));

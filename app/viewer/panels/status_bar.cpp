@@ -34,7 +34,8 @@ std::string status_text(const Results& results) {
     text += (text.empty() ? "" : "  ·  ") + fact;
   };
   if (results.tree) {
-    add("build " + duration(results.tree->tree.build_seconds));
+    const bool is_cut = results.tree->origin == BuiltTree::Origin::cut;
+    add((is_cut ? "cut " : "build ") + duration(results.tree->tree.build_seconds));
     add(memory(static_cast<double>(results.tree->tree.bytes())));
   }
   if (results.now && results.now->delta.n_at)

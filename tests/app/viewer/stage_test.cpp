@@ -129,14 +129,46 @@ TEST(Stage, PatienceLetsWorkPublishOnceBeforeANewerWishStopsIt) {
         }
         return {};
       },
-      bell.ring(), 1h);
+      bell.ring(), {1h});
   stage.want(1);
   started.acquire();
   stage.want(2);
-  EXPECT_TRUE(stage.overdue());
+  EXPECT_TRUE(stage.drop_due());
   go_on.release();
   bell.wait(stage, 2, [&] { return !stage.busy(); });
   EXPECT_EQ(*stage.value(), "first pixels");
+}
+
+TEST(Stage, WorkThatServesANewerWishGoesOn) {
+  Bell bell;
+  std::binary_semaphore started{0}, go_on{0};
+  const auto work = [&](int n, std::stop_token stop, const Numbers::Publish& publish) {
+    if (n == 10) {
+      started.release();
+      go_on.acquire();
+      EXPECT_FALSE(stop.stop_requested());
+    }
+    if (n == 50) {
+      started.release();
+      sleep_until_stopped(stop);
+    }
+    if (stop.stop_requested()) return Result<void>(Error{"stopped"});
+    publish(std::make_shared<const std::string>(std::to_string(n)));
+    return Result<void>();
+  };
+  Numbers stage(work, bell.ring(), {0s, [](int wish) { return wish < 100; }});
+  stage.want(10);
+  started.acquire();
+  stage.want(20);
+  EXPECT_FALSE(stage.drop_due());
+  go_on.release();
+  bell.wait(stage, 20, [&] { return !stage.busy(); });
+  EXPECT_EQ(*stage.value(), "20");
+
+  stage.want(50);
+  started.acquire();
+  bell.wait(stage, 100, [&] { return !stage.busy(); });
+  EXPECT_EQ(*stage.value(), "100");
 }
 
 TEST(Stage, WantingNothingDropsValueAndWork) {

@@ -1,0 +1,132 @@
+#include <mutex>
+#include <utility>
+
+#include "app/viewer/work.h"
+#include "core/base/timer.h"
+#include "core/bsp/cut.h"
+#include "core/render/scene_tree.h"
+
+namespace bspview {
+namespace {
+
+// For what is kept of inner nodes, besides the tree. The builders that costs stop early keep 100 to
+// 500 bytes an object of the standard scenes; of more objects nothing is kept.
+constexpr std::size_t inner_bytes = std::size_t{1} << 29;
+constexpr std::size_t most_objects = inner_bytes / 512;
+
+/// The tree that all others with the same planes are parts of.
+TreeRequest without_limits(TreeRequest request) {
+  request.params.max_depth = depth_cap;
+  request.params.leaf_size = 1;
+  return request;
+}
+
+bool is_family(const TreeRequest& a, const TreeRequest& b) {
+  return a.scene == b.scene && same_planes(a.params, b.params);
+}
+
+}  // namespace
+
+class TreeWork::Grower {
+ public:
+  /// The tree, and where it is from.
+  struct Grown {
+    std::shared_ptr<const Tree> tree;
+    BuiltTree::Origin origin = BuiltTree::Origin::build;
+  };
+
+  Result<Grown> grow(const TreeRequest& request, std::stop_token stop) {
+    const bool is_new = !last_ || !is_family(*last_, request);
+    if (is_new) {
+      whole_ = {};
+      largest_fits_ = request.scene->counts.objects <= most_objects;
+    }
+    last_ = request;
+    if (std::optional<Grown> part = cut_from_whole(request.params)) return *std::move(part);
+    return is_new ? grow_first(request, stop) : grow_next(request, stop);
+  }
+
+  bool serves(const TreeRequest& wish) const {
+    const std::lock_guard lock(mutex_);
+    return under_way_ && under_way_->scene == wish.scene &&
+           is_part(wish.params, under_way_->params, wish.scene->counts.objects);
+  }
+
+ private:
+  std::optional<Grown> cut_from_whole(const BuildParams& params) const {
+    if (!whole_.tree) return {};
+    if (params == whole_.tree->params) return Grown{whole_.tree};
+    std::optional<Tree> tree = cut(whole_, params);
+    if (!tree) return {};
+    return Grown{std::make_shared<const Tree>(*std::move(tree)), BuiltTree::Origin::cut};
+  }
+
+  /// The first tree of its scene or builder, which nothing should delay.
+  Result<Grown> grow_first(const TreeRequest& request, std::stop_token stop) {
+    if (largest_fits_ && costs_choose_planes(request.params.builder)) {
+      return grow_as_asked(request, stop);
+    }
+    Result<Tree> tree = build_scene_tree(request.scene->scene, request.params, stop);
+    if (!tree) return tree.error();
+    return Grown{std::make_shared<const Tree>(*std::move(tree))};
+  }
+
+  /// Someone moves a limit out of those of the last tree, and will go on: the largest tree of a
+  /// builder that costs stop takes hardly longer than this one.
+  Result<Grown> grow_next(const TreeRequest& request, std::stop_token stop) {
+    if (largest_fits_ && costs_choose_planes(request.params.builder)) {
+      constexpr InnerLimit whole_or_nothing{inner_bytes, InnerLimit::WhenPassed::do_not_build};
+      const auto grown = grow_whole(without_limits(request), whole_or_nothing, stop);
+      if (stop.stop_requested()) return Error{"stopped"};
+      if (std::optional<Grown> part = cut_from_whole(request.params)) return *std::move(part);
+      largest_fits_ = false;
+    }
+    return grow_as_asked(request, stop);
+  }
+
+  Result<Grown> grow_as_asked(const TreeRequest& request, std::stop_token stop) {
+    if (const auto grown = grow_whole(request, {inner_bytes}, stop); !grown) return grown.error();
+    return Grown{whole_.tree};
+  }
+
+  /// Makes `whole_` the tree that is asked for.
+  Result<void> grow_whole(const TreeRequest& request, InnerLimit limit, std::stop_token stop) {
+    set_under_way(request);
+    const Timer timer;
+    const SceneBuildInput objects(request.scene->scene);
+    Result<MaximalTree> whole = build_maximal_tree(objects.input(), request.params, limit, stop);
+    set_under_way(std::nullopt);
+    if (!whole) return whole.error();
+    whole_ = *std::move(whole);
+    whole_.tree->build_seconds = timer.seconds();
+    return {};
+  }
+
+  void set_under_way(std::optional<TreeRequest> request) {
+    const std::lock_guard lock(mutex_);
+    under_way_ = std::move(request);
+  }
+
+  std::optional<TreeRequest> last_;
+  MaximalTree whole_;  // of the same scene and planes; its tree is null before there is one
+  bool largest_fits_ = false;
+
+  mutable std::mutex mutex_;
+  std::optional<TreeRequest> under_way_;  // guarded; others will be cut from it
+};
+
+TreeWork::TreeWork() : grower_(std::make_shared<Grower>()) {}
+
+Result<void> TreeWork::operator()(const TreeRequest& request, std::stop_token stop,
+                                  const Publish<BuiltTree>& publish) {
+  Result<Grower::Grown> grown = grower_->grow(request, stop);
+  if (!grown) return grown.error();
+  publish(std::make_shared<const BuiltTree>(request, std::move(grown->tree), grown->origin));
+  return {};
+}
+
+bool TreeWork::serves(const TreeRequest& wish) const {
+  return grower_->serves(wish);
+}
+
+}  // namespace bspview

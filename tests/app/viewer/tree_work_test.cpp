@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "app/viewer/work.h"
+#include "core/render/scene_tree.h"
+
+namespace bspview {
+namespace {
+
+using Origin = BuiltTree::Origin;
+
+std::shared_ptr<const LoadedScene> open(const std::string& source) {
+  std::shared_ptr<const LoadedScene> scene;
+  EXPECT_TRUE(open_scene({source}, {}, [&](auto loaded) { scene = loaded; }).ok());
+  return scene;
+}
+
+/// Asks for trees of one scene, one after the other.
+struct Wisher {
+  std::shared_ptr<const LoadedScene> scene = open("spd:gears:2");
+  TreeWork work;
+
+  std::shared_ptr<const BuiltTree> want(const BuildParams& params) {
+    std::shared_ptr<const BuiltTree> built;
+    EXPECT_TRUE(work({scene, params}, {}, [&](auto tree) { built = tree; }).ok());
+    const auto rebuilt = build_scene_tree(scene->scene, params);
+    EXPECT_EQ(built->tree.nodes, rebuilt->nodes);
+    EXPECT_EQ(built->tree.references, rebuilt->references);
+    EXPECT_EQ(built->tree.memory_limit_reached, rebuilt->memory_limit_reached);
+    EXPECT_EQ(built->tree.params, params);
+    EXPECT_EQ(built->stats, tree_stats(*rebuilt));
+    return built;
+  }
+};
+
+TEST(TreeWork, LimitsOfACostDrivenBuilderAreCutFromTheFirstTreeOn) {
+  Wisher wisher;
+  for (const Builder builder : {Builder::mb, Builder::sah}) {
+    EXPECT_EQ(wisher.want({.builder = builder})->origin, Origin::build);
+    EXPECT_EQ(wisher.want({.builder = builder, .max_depth = 9})->origin, Origin::cut);
+    EXPECT_EQ(wisher.want({.builder = builder, .leaf_size = 7})->origin, Origin::cut);
+    EXPECT_EQ(wisher.want({.builder = builder})->origin, Origin::build) << "the same one";
+  }
+}
+
+TEST(TreeWork, AfterOneMoveBeyondTheFirstTreeEverythingIsCut) {
+  Wisher wisher;
+  wisher.want({.max_depth = 10, .leaf_size = 5});
+  for (const int depth : {11, 30, 64}) {
+    EXPECT_EQ(wisher.want({.max_depth = depth, .leaf_size = 5})->origin, Origin::cut);
+  }
+  EXPECT_EQ(wisher.want({.max_depth = 10, .leaf_size = 1})->origin, Origin::cut);
+}
+
+TEST(TreeWork, LimitsOfOtherBuildersAreCutOnceOneWasMoved) {
+  Wisher wisher;
+  for (const Builder builder : {Builder::median, Builder::median_longest, Builder::object_median}) {
+    const auto want = [&](int depth) {
+      return wisher.want({.builder = builder, .max_depth = depth})->origin;
+    };
+    EXPECT_EQ(want(12), Origin::build);
+    EXPECT_EQ(want(11), Origin::build);
+    EXPECT_EQ(want(9), Origin::cut);
+    EXPECT_EQ(want(11), Origin::build) << "the same one";
+    EXPECT_EQ(want(12), Origin::build) << "no tree without end";
+  }
+}
+
+TEST(TreeWork, WhatChoosesPlanesIsRebuilt) {
+  Wisher wisher;
+  for (const BuildParams& params : {BuildParams{},
+                                    {.cost_traversal = 2.0f},
+                                    {.cost_intersection = 2.0f},
+                                    {.empty_bonus = 0.3f},
+                                    {.clip = false},
+                                    {.builder = Builder::naive}}) {
+    EXPECT_EQ(wisher.want(params)->origin, Origin::build);
+  }
+}
+
+TEST(TreeWork, ATreeThatDoesNotFitTheMemoryLimitIsAsBuilt) {
+  Wisher wisher;
+  const std::size_t bytes = wisher.want({})->tree.bytes();
+  for (const std::size_t limit : {bytes, bytes - 1, bytes / 3, std::size_t{0}, 2 * bytes}) {
+    wisher.want({.memory_limit = limit});
+    wisher.want({.max_depth = 8, .memory_limit = limit});
+    wisher.want({.max_depth = 60, .memory_limit = limit});
+  }
+}
+
+TEST(TreeWork, AnotherSceneIsAnotherTree) {
+  Wisher wisher;
+  wisher.want({});
+  wisher.scene = open("spd:balls:2");
+  EXPECT_EQ(wisher.want({.max_depth = 9})->origin, Origin::build);
+}
+
+TEST(TreeWork, WhatIsBuiltServesAllThatCanBeCutFromIt) {
+  const auto scene = open("spd:mount:8");
+  const TreeRequest request{scene, {.max_depth = 20, .leaf_size = 2}};
+  const auto with = [&](auto change) {
+    TreeRequest wish = request;
+    change(wish.params);
+    return wish;
+  };
+  TreeWork work;
+  EXPECT_FALSE(work.serves(request));
+  std::stop_source stop;
+  const auto build = [&] { return work(request, stop.get_token(), [](const auto&) {}).ok(); };
+  std::future<bool> built = std::async(std::launch::async, build);
+  while (!work.serves(request)) std::this_thread::yield();
+  EXPECT_TRUE(work.serves(with([](BuildParams& p) { p.max_depth = 3; })));
+  EXPECT_TRUE(work.serves(with([](BuildParams& p) { p.leaf_size = 3; })));
+  EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.max_depth = 21; })));
+  EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.leaf_size = 1; })));
+  EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.cost_traversal = 3.0f; })));
+  EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.builder = Builder::median; })));
+  EXPECT_FALSE(work.serves({open("spd:balls:1"), request.params}));
+  stop.request_stop();
+  EXPECT_FALSE(built.get());
+  EXPECT_FALSE(work.serves(request));
+}
+
+}  // namespace
+}  // namespace bspview
