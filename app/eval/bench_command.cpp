@@ -4,6 +4,7 @@
 #include "app/eval/commands.h"
 #include "app/eval/progress.h"
 #include "core/base/file.h"
+#include "core/eval/bench/build_run.h"
 #include "core/eval/bench/povray.h"
 #include "core/eval/bench/report.h"
 #include "core/eval/bench/scale.h"
@@ -28,6 +29,9 @@ struct BenchOptions {
   std::string json;
   bool scale = false;
   bool povray = false;
+  bool build = false;
+  bool builder_given = false;
+  std::vector<double> sizes = BuildBenchParams{}.sizes;
   double max_objects = ScaleParams{}.max_objects;
   bool quiet = false;
 };
@@ -65,6 +69,13 @@ Texts texts_of(const ScaleReport& report) {
   return {to_text(report),
           json,
           {{"scale.csv", to_csv(report)}, {"scale.json", json}, {"scale.svg", to_svg(report)}}};
+}
+
+Texts texts_of(const BuildReport& report) {
+  const std::string json = to_json(report);
+  return {to_text(report),
+          json,
+          {{"build.csv", to_csv(report)}, {"build.json", json}, {"build.svg", to_svg(report)}}};
 }
 
 Result<void> save(const Texts& texts, const BenchOptions& options) {
@@ -105,8 +116,18 @@ Result<Texts> measure_scale(const BenchOptions& options, const Watch& watch) {
   return report ? Result<Texts>(texts_of(*report)) : report.error();
 }
 
+Result<Texts> measure_builds(const BenchOptions& options, const Watch& watch) {
+  BuildBenchParams params{.build = options.tree.build};
+  params.sizes = options.sizes;
+  params.repeats = options.params.repeats;
+  if (options.builder_given) params.builders = {options.tree.build.builder};
+  const auto report = run_build_bench(params, watch);
+  return report ? Result<Texts>(texts_of(*report)) : report.error();
+}
+
 Result<Texts> measure(const BenchOptions& options, const Watch& watch) {
   if (options.scale) return measure_scale(options, watch);
+  if (options.build) return measure_builds(options, watch);
   if (options.povray) return measure_pictures(options, watch);
   const auto scenes = load_scenes(options.scenes.empty() ? standard_scenes : options.scenes);
   if (!scenes) return scenes.error();
@@ -175,6 +196,23 @@ void add_other_modes(CLI::App& command, BenchOptions& options) {
   }
 }
 
+void add_build_mode(CLI::App& command, BenchOptions& options) {
+  CLI::Option* build = command.add_flag(
+      "--build", options.build,
+      "Time the building of standard scenes in growing sizes, with threads from one to all (or "
+      "--threads), instead; default: every SAH builder");
+  for (const char* other : {"SCENE", "--rays", "--kinds", "--segments", "--scale", "--povray"}) {
+    build->excludes(command.get_option(other));
+  }
+  command
+      .add_option("--sizes", options.sizes, "With --build: about so many objects, ascending or not")
+      ->check(CLI::Range(1.0, max_spd_objects).description(""))
+      ->delimiter(',')
+      ->needs(build)
+      ->type_name("N[,N]")
+      ->default_str("1e3,1e4,1e5,1e6");
+}
+
 void add_bench_options(CLI::App& command, BenchOptions& options) {
   command
       .add_option("SCENE", options.scenes,
@@ -190,9 +228,11 @@ void add_bench_options(CLI::App& command, BenchOptions& options) {
       ->type_name("N")
       ->capture_default_str();
   add_other_modes(command, options);
+  add_build_mode(command, options);
   command
-      .add_option("-o", options.folder,
-                  "Folder for bench.csv, .json and .svg; those of scale; povray.csv and .json")
+      .add_option(
+          "-o", options.folder,
+          "Folder for bench.csv, .json and .svg; those of scale or build; povray.csv, .json")
       ->type_name("DIR");
   add_json(command, options.json);
 }
@@ -205,7 +245,10 @@ void add_bench(CLI::App& app, Run& run) {
       app, "bench", "Measures the speed of tracing rays, beside Embree where it is there",
       options->quiet);
   add_bench_options(*command, *options);
-  command->callback([options, &run] { run = [options] { return run_bench_command(*options); }; });
+  command->callback([options, command, &run] {
+    options->builder_given = command->count("--builder") > 0;
+    run = [options] { return run_bench_command(*options); };
+  });
 }
 
 }  // namespace bspview

@@ -1,10 +1,13 @@
 #ifdef BSPVIEW_EMBREE
 #include "core/eval/embree_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/base/timer.h"
 #include "core/scene/triangulate.h"
 
 namespace bspview {
@@ -36,17 +39,28 @@ std::vector<std::uint32_t> objects_of_kind(const Scene& scene, ObjectKind kind) 
   return objects;
 }
 
+/// Adds what Embree allocates or frees to a count; see rtcSetDeviceMemoryMonitorFunction.
+bool count_bytes(void* count, ssize_t bytes, bool) {
+  *static_cast<std::atomic<std::size_t>*>(count) += static_cast<std::size_t>(bytes);
+  return true;
+}
+
 }  // namespace
 
-EmbreeScene::EmbreeScene(const Scene& scene, EmbreeMode mode)
-    : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
+EmbreeScene::EmbreeScene(const Scene& scene, EmbreeMode mode, EmbreeBuild build)
+    : device_(rtcNewDevice(fmt::format("threads={}", build.threads).c_str())),
+      scene_(rtcNewScene(device_)) {
   rtcSetSceneFlags(scene_,
                    mode == EmbreeMode::robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
-  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+  rtcSetSceneBuildQuality(scene_, build.quality);
   attach_faces(scene);
   attach_spheres(scene);
   attach_cones(scene);
+  rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
+  const Timer timer;
   rtcCommitScene(scene_);
+  build_seconds_ = timer.seconds();
+  rtcSetDeviceMemoryMonitorFunction(device_, nullptr, nullptr);
 }
 
 EmbreeScene::~EmbreeScene() {

@@ -29,15 +29,6 @@ std::vector<Peer> scale_peers() {
   return peers;
 }
 
-/// 1, 2, 4 ... and every core.
-std::vector<int> thread_counts() {
-  const int all = thread_count(0);
-  std::vector<int> counts;
-  for (int count = 1; count < all; count *= 2) counts.push_back(count);
-  counts.push_back(all);
-  return counts;
-}
-
 /// The rays of one kind in pieces, each held by a tracer of its own.
 class Crowd {
  public:
@@ -127,7 +118,7 @@ class ScaleRun {
   void try_threads(std::span<const MakeTracer> makers, const BenchBatch& batch) {
     std::vector<Crowd> crowds;
     for (const MakeTracer& make : makers) crowds.emplace_back(make, batch.kind, batch.rays);
-    for (const int threads : thread_counts()) {
+    for (const int threads : thread_steps()) {
       ThreadTimes times{threads, batch.kind, {}};
       times.rays_a_second.resize(crowds.size());
       for (int repeat = 0; repeat < params_.bench.repeats && !watch_.stopped(); ++repeat) {
@@ -156,6 +147,14 @@ std::vector<int> scale_sizes(std::string_view name, double least, double most) {
     sizes.push_back(size);
     last = *count;
   }
+}
+
+std::vector<int> thread_steps(int most) {
+  const int all = thread_count(most);
+  std::vector<int> counts;
+  for (int count = 1; count < all; count *= 2) counts.push_back(count);
+  counts.push_back(all);
+  return counts;
 }
 
 LogFit fit_log(std::span<const std::pair<double, double>> objects_and_ns) {

@@ -44,6 +44,9 @@ Result<ScaleReport> run_scale(const ScaleParams& params, const Watch& watch = {}
 /// as many as the one before.
 std::vector<int> scale_sizes(std::string_view name, double least, double most);
 
+/// 1, 2, 4 ... and `most` threads (0: every core).
+std::vector<int> thread_steps(int most = 0);
+
 /// ns = at_one + a_doubling * log2(objects), by least squares.
 struct LogFit {
   double at_one = 0.0, a_doubling = 0.0;

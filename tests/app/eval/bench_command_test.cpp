@@ -45,6 +45,28 @@ TEST_F(BenchCommand, ScaleHasScenesOfItsOwn) {
   EXPECT_EQ(run("bench --scale --max-objects 10").exit_code, 2);
 }
 
+TEST_F(BenchCommand, BuildTimesGrowingScenes) {
+  const Outcome outcome =
+      run("bench --build --builder mb --sizes 100,300,1e3 --threads 1 --repeat 1 -o build");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("seconds ~ (N log N)^exponent"), std::string::npos);
+  EXPECT_TRUE(exists("build/build.csv") && exists("build/build.json"));
+  EXPECT_EQ(read("build/build.svg").rfind("<svg", 0), 0u);
+  const auto json = nlohmann::json::parse(read("build/build.json"));
+  EXPECT_EQ(json["builders"][0]["name"], "mb");
+  EXPECT_EQ(json["families"].size(), 4u);
+}
+
+TEST_F(BenchCommand, BuildHasScenesOfItsOwn) {
+  EXPECT_EQ(run("bench s.nff --build").exit_code, 2);
+  EXPECT_EQ(run("bench --sizes 100").exit_code, 2);
+  EXPECT_EQ(run("bench --build --sizes 0").exit_code, 2);
+  EXPECT_EQ(run("bench --build --sizes 1e9").exit_code, 2);
+  EXPECT_EQ(run("bench --build --sizes many").exit_code, 2);
+  EXPECT_EQ(run("bench --build --scale").exit_code, 2);
+  EXPECT_EQ(run("bench --build --rays 5").exit_code, 2);
+}
+
 TEST_F(BenchCommand, PovRayTakesNoRays) {
   EXPECT_EQ(run("bench s.nff --povray --rays 5").exit_code, 2);
   EXPECT_EQ(run("bench --povray --scale").exit_code, 2);
