@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/bsp/clip_part.h"
 #include "core/math/float_error.h"
 
 namespace bspview {
@@ -10,21 +11,21 @@ void BoxList::append_objects(std::vector<std::uint32_t>& objects) const {
   for (const ObjectPart& part : parts_) objects.push_back(part.object);
 }
 
-BoxList BoxList::split(const Split& split, const Cells& cells, ScratchStack&) {
+BoxList BoxList::split(const CellSplit& split, ScratchStack&) {
   std::vector<ObjectPart> left, right;
   left.reserve(split.left);
   right.reserve(split.right);
+  const auto deal = [](std::vector<ObjectPart>& side, const Aabb& box, std::uint32_t object) {
+    if (!box.empty()) side.push_back({box, object});
+  };
   job_->for_each(parts_.size(), clip_steps, [&](std::size_t i) {
-    const ObjectPart& part = parts_[i];
-    const bool goes_left = part.box.lo[split.axis] <= split.position;
-    const bool goes_right = part.box.hi[split.axis] >= split.position;
+    const auto& [box, object] = parts_[i];
+    const bool goes_left = box.lo[split.axis] <= split.position;
+    const bool goes_right = box.hi[split.axis] >= split.position;
     const bool clip = job_->clip && goes_left && goes_right;
-    const auto deal = [&](std::vector<ObjectPart>& side, const Aabb& cell) {
-      const Aabb box = clip ? clipped_box(*job_, part.object, cell) : part.box;
-      if (!box.empty()) side.push_back({box, part.object});
-    };
-    if (goes_left) deal(left, cells.left);
-    if (goes_right) deal(right, cells.right);
+    const SideBoxes boxes = clip ? clip_sides(*job_, object, split) : SideBoxes{box, box};
+    if (goes_left) deal(left, boxes.left, object);
+    if (goes_right) deal(right, boxes.right, object);
   });
   parts_ = std::move(left);
   return BoxList(*job_, rule_, std::move(right));

@@ -22,7 +22,7 @@ class BoxList {
   std::size_t count() const { return parts_.size(); }
   void append_objects(std::vector<std::uint32_t>& objects) const;
   std::optional<Split> find_split(const Place& place) const { return rule_(*job_, parts_, place); }
-  BoxList split(const Split& split, const Cells& cells, ScratchStack& scratch);
+  BoxList split(const CellSplit& split, ScratchStack& scratch);
 
  private:
   const BuildJob* job_;

@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
 #include "core/bsp/split_rules.h"
+#include "core/shape/outline.h"
 
 namespace bspview {
 namespace {
@@ -77,6 +78,9 @@ BuildJob make_job(const BuildInput& input, const BuildParams& params, std::stop_
   job.leaf_size = static_cast<std::size_t>(std::max(1, params.leaf_size));
   job.clip = effective_clip(params) && input.clip;
   job.min_width = smallest_width(job.box);
+  job.clip_margin = outline_margin(job.box);
+  const std::size_t worth_a_task = std::max(std::size_t{512}, input.boxes.size() / 64);
+  job.task_count = thread_count(params.threads) > 1 ? worth_a_task : most_objects;
   job.memory_limit = std::min(params.memory_limit, memory_cap);
   return job;
 }

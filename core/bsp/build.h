@@ -16,10 +16,14 @@ bool is_placeable(const Aabb& box);
 /// Box of the part of object `object` inside `cell`, rounded outwards; empty when there is none.
 using ClipFunction = std::function<Aabb(std::uint32_t object, const Aabb& cell)>;
 
-/// What a builder knows of the objects.
+/// Corners of an object that is a convex polygon; none for any other.
+using ConvexFunction = std::function<std::span<const Vec3>(std::uint32_t object)>;
+
+/// What a builder knows of the objects. The functions are called from several threads.
 struct BuildInput {
   std::span<const Aabb> boxes;  ///< one an object; not placeable: the object is in no leaf
-  ClipFunction clip;            ///< called from several threads; null: trees are built without
+  ClipFunction clip;            ///< null: trees are built without
+  ConvexFunction convex = {};   ///< what the builder may clip itself, several times as fast
 };
 
 /// Builds a tree. The result depends on no thread count and no timing. The maximal depth is clamped

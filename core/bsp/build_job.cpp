@@ -8,8 +8,4 @@ PlaneRange::PlaneRange(const BuildJob& job, const Aabb& cell, int axis)
     : first_(round_up(cell.lo[axis] + job.min_width)),
       last_(round_down(cell.hi[axis] - job.min_width)) {}
 
-Aabb clipped_box(const BuildJob& job, std::uint32_t object, const Aabb& cell) {
-  return intersection(job.input.clip(object, cell), cell);
-}
-
 }  // namespace bspview

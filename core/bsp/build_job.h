@@ -27,7 +27,9 @@ struct BuildJob {
   int max_depth = 0;
   std::size_t leaf_size = 1;
   bool clip = false;
-  double min_width = 0.0;  ///< of a cell that a split makes; not 0
+  double min_width = 0.0;      ///< of a cell that a split makes; not 0
+  double clip_margin = 0.0;    ///< of outlines
+  std::size_t task_count = 0;  ///< a child with fewer objects is not worth a task of its own
   std::size_t memory_limit = 0;
   MemoryMeter* meter = nullptr;   ///< null: memory is not limited
   InnerObjects* inner = nullptr;  ///< null: what inner nodes hold is not kept
@@ -69,6 +71,15 @@ struct Split {
   double cost = 0.0;  ///< expected, in the units of the job's costs; 0 where the rule knows none
 };
 
+/// A split with the cell that it divides.
+struct CellSplit : Split {
+  CellSplit(const Split& split, const Aabb& whole)
+      : Split(split), cell(whole), cells(split_cell(whole, split.axis, split.position)) {}
+
+  Aabb cell;
+  Cells cells;
+};
+
 /// The planes that leave both sides of a cell at least min_width thick.
 class PlaneRange {
  public:
@@ -81,8 +92,5 @@ class PlaneRange {
  private:
   float first_, last_;
 };
-
-/// Box of the part of `object` inside `cell`; empty when nothing is inside.
-Aabb clipped_box(const BuildJob& job, std::uint32_t object, const Aabb& cell);
 
 }  // namespace bspview

@@ -26,17 +26,17 @@ CostModel cost_model(const BuildParams& params) {
 }
 
 SplitCost::SplitCost(const CostModel& model, const Aabb& cell, int axis)
-    : lo_(cell.lo[axis]),
-      hi_(cell.hi[axis]),
-      traversal_(model.traversal),
-      empty_factor_(model.empty_factor) {
+    : lo(cell.lo[axis]),
+      hi(cell.hi[axis]),
+      traversal(model.traversal),
+      empty_factor(model.empty_factor) {
   const Vec3d d = extent_in_double(cell);
   const double u = d[(axis + 1) % 3];
   const double v = d[(axis + 2) % 3];
   const double area = half_area_in_double(d);
   // A cell without area is a line: its parts are crossed in the ratio of their lengths.
-  caps_ = area > 0.0 ? model.intersection * u * v / area : 0.0;
-  rim_ = model.intersection * (area > 0.0 ? (u + v) / area : 1.0 / d[axis]);
+  caps = area > 0.0 ? model.intersection * u * v / area : 0.0;
+  rim = model.intersection * (area > 0.0 ? (u + v) / area : 1.0 / d[axis]);
 }
 
 double crossing_probability(const Aabb& part, const Aabb& cell) {

@@ -21,22 +21,25 @@ CostModel cost_model(const BuildParams& params);
 
 /// Cost of splitting one cell on one axis, when both children become leaves.
 /// After MacDonald & Booth 1990, "Heuristics for ray tracing using space subdivision".
-class SplitCost {
- public:
+struct SplitCost {
   SplitCost(const CostModel& model, const Aabb& cell, int axis);
 
   /// `left` and `right` objects touch the two sides of the plane at `position`.
   double operator()(double position, std::uint32_t left, std::uint32_t right) const {
-    const double tests =
-        left * (caps_ + rim_ * (position - lo_)) + right * (caps_ + rim_ * (hi_ - position));
-    const double cost = traversal_ + tests;
-    return left == 0 || right == 0 ? cost * empty_factor_ : cost;
+    return at_least(position, position, left, right);
   }
 
- private:
-  double lo_, hi_;
-  double caps_, rim_;  // of the two faces parallel to the plane; of the others, a unit of length
-  double traversal_, empty_factor_;
+  /// No plane from `first` to `last` costs less, rounding included, if at least `left` and `right`
+  /// objects touch the sides of all of them.
+  double at_least(double first, double last, std::uint32_t left, std::uint32_t right) const {
+    const double tests = left * (caps + rim * (first - lo)) + right * (caps + rim * (hi - last));
+    const double cost = traversal + tests;
+    return left == 0 || right == 0 ? cost * empty_factor : cost;
+  }
+
+  double lo, hi;     ///< of the cell
+  double caps, rim;  ///< of the two faces parallel to the plane; of the others, a unit of length
+  double traversal, empty_factor;
 };
 
 /// Probability that a ray that crosses `cell` also crosses `part` of it: the ratio of their areas,

@@ -26,9 +26,11 @@ class Event {
   bool is_start() const { return bits_ >> 31 & 1; }
   bool is_end() const { return !is_start(); }
   std::uint32_t part() const { return static_cast<std::uint32_t>(bits_) & part_mask; }
-  float position() const {
+  float position() const { return at_rank(static_cast<std::uint32_t>(bits_ >> 32)); }
+  /// Where the part itself begins or ends.
+  float bound() const {
     const auto rank = static_cast<std::uint32_t>(bits_ >> 32);
-    return std::bit_cast<float>(rank & sign ? rank ^ sign : ~rank);
+    return at_rank(is_start() ? after(rank) : before(rank));
   }
   Event with_part(std::uint32_t part) const {
     return Event((bits_ & ~std::uint64_t{part_mask}) | (part & part_mask));
@@ -51,6 +53,9 @@ class Event {
   static std::uint32_t rank(float x) {
     const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);
     return bits & sign ? ~bits : bits | sign;
+  }
+  static float at_rank(std::uint32_t rank) {
+    return std::bit_cast<float>(rank & sign ? rank ^ sign : ~rank);
   }
   static std::uint32_t before(std::uint32_t rank) {
     return rank - (rank - 1 == minus_zero ? 2 : 1);

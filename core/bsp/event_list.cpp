@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/bsp/clip_part.h"
 #include "core/bsp/event_sort.h"
 
 namespace bspview {
@@ -23,10 +24,8 @@ void write_events(const Aabb& box, int axis, std::uint32_t part, Event* events) 
 /// A child while it is filled. Parts that are clipped lose their old events and get fresh ones.
 class EventList::Child {
  public:
-  Child(EventList& list, const Aabb& cell, std::size_t parent_count, std::size_t straddling,
-        ScratchStack& scratch)
+  Child(EventList& list, std::size_t parent_count, std::size_t straddling, ScratchStack& scratch)
       : list_(list),
-        cell_(cell),
         target_(scratch, parent_count),
         fresh_(scratch, straddling),
         fresh_events_(scratch, 12 * straddling) {}
@@ -41,9 +40,9 @@ class EventList::Child {
     list_.objects_[count_++] = object;
   }
 
-  void add_clipped(std::size_t part, std::uint32_t object) {
+  /// The part has become `box`.
+  void add_clipped(std::size_t part, std::uint32_t object, const Aabb& box) {
     target_[part] = nowhere;
-    const Aabb box = clipped_box(*list_.job_, object, cell_);
     if (box.empty()) return;
     fresh_[fresh_count_++] = {box, count_};
     list_.objects_[count_++] = object;
@@ -70,7 +69,6 @@ class EventList::Child {
 
  private:
   EventList& list_;
-  const Aabb& cell_;
   ScratchStack::Array<std::uint32_t> target_;  // index of the parent's part in the child
   ScratchStack::Array<ObjectPart> fresh_;      // object: index in the child
   ScratchStack::Array<Event> fresh_events_;
@@ -102,6 +100,19 @@ void EventList::append_objects(std::vector<std::uint32_t>& objects) const {
   objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
 }
 
+FewParts EventList::few_parts(ScratchStack& scratch) const {
+  std::array<Aabb, FewParts::most> boxes;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Event event : events(axis)) {
+      Aabb& box = boxes[event.part()];
+      (event.is_start() ? box.lo : box.hi)[axis] = event.bound();
+    }
+  }
+  FewParts few(*job_, scratch);
+  for (std::size_t i = 0; i < count_; ++i) few.push(boxes[i], objects_[i]);
+  return few;
+}
+
 void EventList::find_sides(const Split& split, std::uint8_t* sides) const {
   const std::span<const Event> all = events(split.axis);
   const std::size_t first = count_before(all, split.position);
@@ -114,42 +125,44 @@ void EventList::find_sides(const Split& split, std::uint8_t* sides) const {
   });
 }
 
-void EventList::deal_objects(const std::uint8_t* sides, Child& left, Child& right) const {
+void EventList::deal_objects(const CellSplit& split, const std::uint8_t* sides,
+                             const Children& to) const {
   job_->for_each(count_, clip_steps, [&](std::size_t i) {
     const std::uint32_t object = objects_[i];  // read before the left child takes its place
-    const bool clip = job_->clip && sides[i] == both_sides;
-    const auto deal = [&](Child& child, Side side) {
-      if (!(sides[i] & side)) return child.skip(i);
-      return clip ? child.add_clipped(i, object) : child.add(i, object);
-    };
-    deal(left, left_side);
-    deal(right, right_side);
+    if (job_->clip && sides[i] == both_sides) {
+      const SideBoxes boxes = clip_sides(*job_, object, split);
+      to.left.add_clipped(i, object, boxes.left);
+      to.right.add_clipped(i, object, boxes.right);
+      return;
+    }
+    sides[i] & left_side ? to.left.add(i, object) : to.left.skip(i);
+    sides[i] & right_side ? to.right.add(i, object) : to.right.skip(i);
   });
 }
 
-void EventList::deal_events(int axis, const Child& left, const Child& right) const {
+void EventList::deal_events(int axis, const Children& to) const {
   const std::span<const Event> all = events(axis);
-  Event* to_left = left.first_event(axis);
-  Event* to_right = right.first_event(axis);
+  Event* to_left = to.left.first_event(axis);
+  Event* to_right = to.right.first_event(axis);
   job_->for_each(all.size(), light_steps, [&](std::size_t i) {
     const Event event = all[i];
-    to_left += left.put(event, to_left);
-    to_right += right.put(event, to_right);
+    to_left += to.left.put(event, to_left);
+    to_right += to.right.put(event, to_right);
   });
-  left.merge_fresh(axis);
-  right.merge_fresh(axis);
+  to.left.merge_fresh(axis);
+  to.right.merge_fresh(axis);
 }
 
-EventList EventList::split(const Split& split, const Cells& cells, ScratchStack& scratch) {
+EventList EventList::split(const CellSplit& split, ScratchStack& scratch) {
   EventList right_list(*job_, split.right, scratch);
   const std::size_t straddling = split.left + split.right - count_;
-  Child left(*this, cells.left, count_, straddling, scratch);
-  Child right(right_list, cells.right, count_, straddling, scratch);
+  Child left(*this, count_, straddling, scratch);
+  Child right(right_list, count_, straddling, scratch);
   const ScratchStack::Array<std::uint8_t> sides(scratch, count_);
 
   find_sides(split, sides.data());
-  deal_objects(sides.data(), left, right);
-  for_each_axis(count_, [&](int axis) { deal_events(axis, left, right); });
+  deal_objects(split, sides.data(), {left, right});
+  for_each_axis(count_, [&](int axis) { deal_events(axis, {left, right}); });
   count_ = left.count();
   right_list.count_ = right.count();
   return right_list;

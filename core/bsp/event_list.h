@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/bsp/build_job.h"
 #include "core/bsp/event.h"
+#include "core/bsp/few_parts.h"
 #include "core/bsp/scratch_stack.h"
 
 namespace bspview {
@@ -29,18 +30,24 @@ class EventList {
   std::span<const Event> events(int axis) const { return {first_event(axis), 2 * count_}; }
   void append_objects(std::vector<std::uint32_t>& objects) const;
 
+  /// The parts of a node that holds few.
+  FewParts few_parts(ScratchStack& scratch) const;
+
   /// Keeps what touches the left cell, in place, and returns what touches the right one.
-  EventList split(const Split& split, const Cells& cells, ScratchStack& scratch);
+  EventList split(const CellSplit& split, ScratchStack& scratch);
 
  private:
   class Child;
+  struct Children {
+    Child &left, &right;
+  };
 
   EventList(const BuildJob& job, std::size_t capacity, ScratchStack& scratch);
 
   Event* first_event(int axis) const { return events_.data() + axis * stride_; }
   void find_sides(const Split& split, std::uint8_t* sides) const;
-  void deal_objects(const std::uint8_t* sides, Child& left, Child& right) const;
-  void deal_events(int axis, const Child& left, const Child& right) const;
+  void deal_objects(const CellSplit& split, const std::uint8_t* sides, const Children& to) const;
+  void deal_events(int axis, const Children& to) const;
 
   const BuildJob* job_;
   std::size_t count_ = 0;

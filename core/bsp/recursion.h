@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/bsp/branch.h"
 #include "core/bsp/build_job.h"
+#include "core/bsp/few_parts.h"
 
 namespace bspview {
 
@@ -14,7 +15,9 @@ namespace bspview {
 ///     std::size_t count() const;
 ///     void append_objects(std::vector<std::uint32_t>&) const;    ascending ids
 ///     std::optional<Split> find_split(const Place&) const;
-///     Objects split(const Split&, const Cells&, ScratchStack&);  keeps left, returns right
+///     Objects split(const CellSplit&, ScratchStack&);            keeps left, returns right
+///     FewParts few_parts(ScratchStack&) const;                   optional: of at most
+///     FewParts::most
 template <class Objects>
 class Recursion {
  public:
@@ -27,6 +30,9 @@ class Recursion {
   }
 
  private:
+  template <class>
+  friend class Recursion;
+
   struct Slot {
     Branch& branch;
     std::uint32_t node;
@@ -36,24 +42,27 @@ class Recursion {
     Place place;
   };
 
-  // A child with fewer objects is not worth a task of its own.
-  static constexpr std::size_t parallel_count = 512;
-
   // Bytes after which a branch tells the meter.
   static constexpr std::size_t meter_step = std::size_t{1} << 16;
 
   void grow(Objects& objects, const Place& place, Slot slot) const {
+    if constexpr (requires { objects.few_parts(slot.branch.scratch); }) {
+      if (objects.count() <= FewParts::most) {
+        FewParts few = objects.few_parts(slot.branch.scratch);
+        return Recursion<FewParts>(job_).grow(few, place, {slot.branch, slot.node});
+      }
+    }
     job_.poll();
-    const std::optional<Split> split = wanted_split(objects, place);
-    if (!split) return make_leaf(objects, slot);
+    const std::optional<Split> wanted = wanted_split(objects, place);
+    if (!wanted) return make_leaf(objects, slot);
     if (job_.inner) slot.branch.inner.push_back(job_.inner->keep(objects));
 
-    const Cells cells = split_cell(place.cell, split->axis, split->position);
-    Objects right = objects.split(*split, cells, slot.branch.scratch);
+    const CellSplit split(*wanted, place.cell);
+    Objects right = objects.split(split, slot.branch.scratch);
     const int depth = place.depth + 1;
-    const Child left_child{objects, {cells.left, depth}};
-    const Child right_child{right, {cells.right, depth}};
-    grow_children(left_child, right_child, add_children(*split, slot));
+    const Child left_child{objects, {split.cells.left, depth}};
+    const Child right_child{right, {split.cells.right, depth}};
+    grow_children(left_child, right_child, add_children(split, slot));
   }
 
   /// The split that the rule asks for and the limits allow.
@@ -87,7 +96,7 @@ class Recursion {
 
   void grow_children(const Child& left, const Child& right, Slot left_slot) const {
     const Slot right_slot{left_slot.branch, left_slot.node + 1};
-    if (std::min(left.objects.count(), right.objects.count()) < parallel_count) {
+    if (std::min(left.objects.count(), right.objects.count()) < job_.task_count) {
       grow(left.objects, left.place, left_slot);
       grow(right.objects, right.place, right_slot);
       return;

@@ -22,6 +22,12 @@ Aabb clip_object(const Scene& scene, std::uint32_t id, const Aabb& box, const Aa
   return clip_polygon(vertices_of(scene, scene.faces[object.shape]), box, cell);
 }
 
+std::span<const Vec3> triangle_of(const Scene& scene, std::uint32_t id) {
+  const Object& object = scene.objects[id];
+  if (object.kind != ObjectKind::triangle) return {};
+  return vertices_of(scene, scene.faces[object.shape]);
+}
+
 }  // namespace
 
 SceneBuildInput::SceneBuildInput(const Scene& scene) : scene_(scene), boxes_(object_bounds(scene)) {
@@ -31,9 +37,10 @@ SceneBuildInput::SceneBuildInput(const Scene& scene) : scene_(scene), boxes_(obj
 }
 
 BuildInput SceneBuildInput::input() const {
-  return {boxes_, [this](std::uint32_t id, const Aabb& cell) {
-            return clip_object(scene_, id, boxes_[id], cell);
-          }};
+  return {.boxes = boxes_,
+          .clip = [this](std::uint32_t id,
+                         const Aabb& cell) { return clip_object(scene_, id, boxes_[id], cell); },
+          .convex = [this](std::uint32_t id) { return triangle_of(scene_, id); }};
 }
 
 Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, std::stop_token stop) {

@@ -63,7 +63,7 @@ Complaint compare_counts(const Boxes& boxes, Dice& dice) {
     left += box.lo[axis] <= plane;
     right += box.hi[axis] >= plane;
   }
-  const EventList dealt = list.split(split, split_cell(job.box, axis, plane), scratch);
+  const EventList dealt = list.split(CellSplit(split, job.box), scratch);
   const bool same =
       split.left == left && split.right == right && list.count() == left && dealt.count() == right;
   if (same) return std::nullopt;

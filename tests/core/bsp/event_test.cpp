@@ -146,7 +146,7 @@ TEST(EventList, CountsAreClassificationsForBoundsOneFloatApart) {
       if (set.boxes()[i].lo[axis] <= plane) expected_left.push_back(i);
       if (set.boxes()[i].hi[axis] >= plane) expected_right.push_back(i);
     }
-    const EventList right = list.split(split, split_cell(test.job.box, axis, plane), scratch);
+    const EventList right = list.split(CellSplit(split, test.job.box), scratch);
     ASSERT_EQ(split.left, expected_left.size()) << trial;
     ASSERT_EQ(split.right, expected_right.size()) << trial;
     ASSERT_EQ(objects_of(list), expected_left) << trial;
@@ -165,7 +165,7 @@ TEST(EventList, ASplitListIsTheListOfTheParts) {
     split.right += box.hi[1] >= 0.1f;
   }
   const Cells cells = split_cell(test.job.box, 1, 0.1f);
-  const EventList right = left.split(split, cells, scratch);
+  const EventList right = left.split(CellSplit(split, test.job.box), scratch);
   const auto expect_fresh_list = [&](const EventList& list, const Aabb& cell) {
     std::vector<ObjectPart> parts;
     for (const std::uint32_t object : objects_of(list)) {

@@ -1,0 +1,58 @@
+#include "core/bsp/few_parts.h"
+
+#include "core/bsp/clip_part.h"
+
+namespace bspview {
+
+void FewParts::append_objects(std::vector<std::uint32_t>& objects) const {
+  objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
+}
+
+std::optional<Split> FewParts::find_split(const Place& place) const {
+  Split split = cheapest_of_few(*job_, std::span(boxes_).first(count_), place.cell);
+  if (!std::isfinite(split.cost)) return {};
+  for (std::size_t i = 0; i < count_; ++i) {
+    split.left += boxes_[i].lo[split.axis] <= split.position;
+    split.right += boxes_[i].hi[split.axis] >= split.position;
+  }
+  return split;
+}
+
+/// Keeps one side of a part, adds the other to `right`; `sides` has room for its two outlines.
+void FewParts::cut(const Part& part, const CellSplit& split, Outline* sides, FewParts& right) {
+  const auto add = [&](FewParts& to, const Aabb& box, const Outline* outline) {
+    if (!box.empty()) to.keep({few_box(box), part.object, outline});
+  };
+  Outline whole;
+  const bool has_outline = part.outline || find_outline(*job_, part.object, split.cell, whole);
+  if (has_outline &&
+      divide(*job_, part.outline ? *part.outline : whole, split, {sides[0], sides[1]})) {
+    add(*this, box_of_part(*job_, sides[0], part.object, split.cells.left), &sides[0]);
+    add(right, box_of_part(*job_, sides[1], part.object, split.cells.right), &sides[1]);
+    return;
+  }
+  add(*this, clipped_box(*job_, part.object, split.cells.left), nullptr);
+  add(right, clipped_box(*job_, part.object, split.cells.right), nullptr);
+}
+
+FewParts FewParts::split(const CellSplit& split, ScratchStack& scratch) {
+  const std::size_t straddling = split.left + split.right - count_;
+  FewParts right(*job_, job_->clip ? 2 * straddling : 0, scratch);
+  Outline* outline = right.outlines_.data();
+  const std::size_t count = std::exchange(count_, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Part here = part(i);
+    const bool goes_left = here.box.lo[split.axis] <= split.position;
+    const bool goes_right = here.box.hi[split.axis] >= split.position;
+    if (job_->clip && goes_left && goes_right) {
+      cut(here, split, outline, right);
+      outline += 2;
+      continue;
+    }
+    if (goes_left) keep(here);
+    if (goes_right) right.keep(here);
+  }
+  return right;
+}
+
+}  // namespace bspview

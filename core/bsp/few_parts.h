@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/bsp/build_job.h"
+#include "core/bsp/few_planes.h"
+#include "core/bsp/scratch_stack.h"
+#include "core/shape/outline.h"
+
+namespace bspview {
+
+/// The objects of a node near the leaves, where most nodes are: so few that every plane is held
+/// against every box, which takes no events and no sorting.
+class FewParts {
+ public:
+  static constexpr std::size_t most = most_few_parts;
+
+  /// None yet.
+  FewParts(const BuildJob& job, ScratchStack& scratch) : FewParts(job, 0, scratch) {}
+  void push(const Aabb& box, std::uint32_t object) { keep({few_box(box), object, nullptr}); }
+
+  std::size_t count() const { return count_; }
+  void append_objects(std::vector<std::uint32_t>& objects) const;
+  std::optional<Split> find_split(const Place& place) const;
+  FewParts split(const CellSplit& split, ScratchStack& scratch);
+
+ private:
+  struct Part {
+    FewBox box;
+    std::uint32_t object;
+    const Outline* outline;  ///< null: not cut yet, or not to be cut by outline
+  };
+
+  FewParts(const BuildJob& job, std::size_t outlines, ScratchStack& scratch)
+      : job_(&job), outlines_(scratch, outlines) {}
+
+  Part part(std::size_t i) const { return {boxes_[i], objects_[i], of_parts_[i]}; }
+  void keep(const Part& part) {
+    boxes_[count_] = part.box;
+    objects_[count_] = part.object;
+    of_parts_[count_++] = part.outline;
+  }
+  void cut(const Part& part, const CellSplit& split, Outline* sides, FewParts& right);
+
+  const BuildJob* job_;
+  std::size_t count_ = 0;
+  std::array<FewBox, most> boxes_;
+  std::array<std::uint32_t, most> objects_;
+  std::array<const Outline*, most> of_parts_;
+  ScratchStack::Array<Outline> outlines_;  // of the parts of both children of the parent
+};
+
+}  // namespace bspview

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "core/bsp/build_job.h"
+
+namespace bspview {
+
+inline constexpr std::size_t most_few_parts = 32;
+
+/// A box whose axes are the lanes of a vector.
+struct alignas(32) FewBox {
+  float lo[4], hi[4];  ///< the last ones are 1
+};
+
+inline FewBox few_box(const Aabb& box) {
+  return {{box.lo.x, box.lo.y, box.lo.z, 1.0f}, {box.hi.x, box.hi.y, box.hi.z, 1.0f}};
+}
+
+/// The plane that the sweep over the events of at most most_few_parts boxes finds: the cheapest of
+/// all, among equals that on the lowest axis, then the lowest. Its cost is infinite when the cell
+/// has no room for one.
+Split cheapest_of_few(const BuildJob& job, std::span<const FewBox> boxes, const Aabb& cell);
+
+}  // namespace bspview

@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include "core/bsp/event_sweep.h"
+#include "core/bsp/few_planes.h"
+#include "core/math/float_error.h"
+#include "tests/support/box_sets.h"
+#include "tests/support/random.h"
+
+namespace bspview {
+namespace {
+
+/// By definition: every plane next to a side of a box, and the outermost ones in range.
+Split cheapest_of_all(const BuildJob& job, std::span<const ObjectPart> parts) {
+  Split best{.cost = std::numeric_limits<double>::infinity()};
+  for (int axis = 0; axis < 3; ++axis) {
+    const PlaneRange range(job, job.box, axis);
+    const SplitCost cost(job.costs, job.box, axis);
+    std::vector<float> planes{range.first(), range.last()};
+    for (const ObjectPart& part : parts) {
+      planes.push_back(next_down(part.box.lo[axis]));
+      planes.push_back(next_up(part.box.hi[axis]));
+    }
+    std::ranges::sort(planes);
+    for (const float plane : planes) {
+      Split split{.axis = axis, .position = plane};
+      for (const ObjectPart& part : parts) {
+        split.left += part.box.lo[axis] <= plane;
+        split.right += part.box.hi[axis] >= plane;
+      }
+      split.cost = cost(plane, split.left, split.right);
+      if (range.holds(plane) && split.cost < best.cost) best = split;
+    }
+  }
+  return best;
+}
+
+/// A job over some boxes, in a cell of their own.
+struct TestJob {
+  TestJob(const std::vector<Aabb>& boxes, const Aabb& cell, const CostModel& costs)
+      : job{.input = none, .box = cell, .costs = costs} {
+    job.min_width = 0x1p-20;
+    for (const Aabb& box : boxes) {
+      const Aabb part = intersection(box, cell);
+      if (!part.empty()) parts.push_back({part, static_cast<std::uint32_t>(parts.size())});
+    }
+  }
+
+  BuildInput none;
+  BuildJob job;
+  std::vector<ObjectPart> parts;
+};
+
+void expect_cheapest(const TestJob& test, const Split& split, const std::string& trial) {
+  const Split expected = cheapest_of_all(test.job, test.parts);
+  ASSERT_EQ(split.cost, expected.cost) << trial;
+  if (!std::isfinite(expected.cost)) return;
+  ASSERT_EQ(split.axis, expected.axis) << trial;
+  ASSERT_EQ(split.position, expected.position) << trial;
+}
+
+Split find_swept(const TestJob& test) {
+  ScratchStack scratch;
+  return cheapest_of_events(test.job, EventList(test.job, test.parts, scratch), test.job.box);
+}
+
+Split find_among_few(const TestJob& test) {
+  std::vector<FewBox> boxes;
+  for (const ObjectPart& part : test.parts) boxes.push_back(few_box(part.box));
+  return cheapest_of_few(test.job, boxes, test.job.box);
+}
+
+const CostModel costs{.traversal = 1.0, .intersection = 1.5, .empty_factor = 0.9};
+const Aabb part_of_the_cube{Vec3(-0.7f, -0.5f, 0.0f), Vec3(0.3f, 0.9f, 0.8f)};
+
+TEST(CheapestPlane, IsThatOfAllOfAFewBoxes) {
+  test::Random random(1);
+  for (int trial = 0; trial < 3000; ++trial) {
+    const int count = 1 + random.below(most_few_parts);
+    const test::BoxSet set = test::random_boxes(count, static_cast<std::uint64_t>(trial));
+    const TestJob test(set.boxes(), part_of_the_cube, costs);
+    const std::string name = "trial " + std::to_string(trial);
+    expect_cheapest(test, find_among_few(test), name);
+    expect_cheapest(test, find_swept(test), name);
+  }
+}
+
+TEST(CheapestPlane, IsThatOfAllOfManyBoxes) {
+  for (int trial = 0; trial < 20; ++trial) {
+    const test::BoxSet set = test::random_boxes(100 + 50 * trial, 7);
+    const TestJob test(set.boxes(), part_of_the_cube, costs);
+    expect_cheapest(test, find_swept(test), "trial " + std::to_string(trial));
+  }
+}
+
+TEST(CheapestPlane, IsTheLowestAmongEquals) {
+  test::Random random(2);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<Aabb> boxes;
+    for (int i = 1 + random.below(most_few_parts); i > 0; --i) {
+      const auto on_lattice = [&] { return 0.25f * static_cast<float>(random.below(9) - 4); };
+      Aabb box;
+      box.grow({on_lattice(), on_lattice(), on_lattice()});
+      box.grow({on_lattice(), on_lattice(), on_lattice()});
+      boxes.push_back(box);
+    }
+    const TestJob test(boxes, {Vec3(-1.0f), Vec3(1.0f)}, costs);
+    const std::string name = "trial " + std::to_string(trial);
+    expect_cheapest(test, find_among_few(test), name);
+    expect_cheapest(test, find_swept(test), name);
+  }
+}
+
+TEST(CheapestPlane, IsThatOfAllOfHardBoxes) {
+  for (const int count : {20, 200}) {
+    for (const test::HardCase& hard : test::hard_cases(count, 3)) {
+      std::vector<Aabb> boxes;
+      for (const Aabb& box : hard.set.boxes()) {
+        if (is_placeable(box)) boxes.push_back(box);
+      }
+      Aabb cell;
+      for (const Aabb& box : boxes) cell.grow(box);
+      const TestJob test(boxes, cell, costs);
+      if (test.parts.size() <= most_few_parts)
+        expect_cheapest(test, find_among_few(test), hard.name);
+      expect_cheapest(test, find_swept(test), hard.name);
+    }
+  }
+}
+
+TEST(CheapestPlane, IsNotThereWithoutRoom) {
+  const std::vector<Aabb> boxes(3, {Vec3(0.0f), Vec3(0x1p-21f)});
+  const TestJob test(boxes, boxes[0], costs);
+  EXPECT_EQ(find_among_few(test).cost, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(find_swept(test).cost, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace bspview
