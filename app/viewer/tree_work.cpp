@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/viewer/work.h"
+#include "core/base/memory.h"
 #include "core/base/timer.h"
 #include "core/bsp/cut.h"
 #include "core/render/scene_tree.h"
@@ -43,7 +44,13 @@ class TreeWork::Grower {
     }
     last_ = request;
     if (std::optional<Grown> part = cut_from_whole(request.params)) return *std::move(part);
+    is_untidy_ = true;
     return is_new ? grow_first(request, stop) : grow_next(request, stop);
+  }
+
+  /// Builds free many times what they leave. Call it when nobody waits.
+  void tidy() {
+    if (std::exchange(is_untidy_, false)) give_memory_back();
   }
 
   bool serves(const TreeRequest& wish) const {
@@ -110,6 +117,7 @@ class TreeWork::Grower {
   std::optional<TreeRequest> last_;
   MaximalTree whole_;  // of the same scene and planes; its tree is null before there is one
   bool largest_fits_ = false;
+  bool is_untidy_ = false;
 
   mutable std::mutex mutex_;
   std::optional<TreeRequest> under_way_;  // guarded; others will be cut from it
@@ -122,6 +130,7 @@ Result<void> TreeWork::operator()(const TreeRequest& request, std::stop_token st
   Result<Grower::Grown> grown = grower_->grow(request, stop);
   if (!grown) return grown.error();
   publish(std::make_shared<const BuiltTree>(request, std::move(grown->tree), grown->origin));
+  grower_->tidy();
   return {};
 }
 

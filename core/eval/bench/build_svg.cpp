@@ -69,7 +69,7 @@ class BuildChart {
                ".title{{font-size:16px;font-weight:600}}.panel{{font-weight:600}}\n"
                "text{{fill:#1c1c1e}}.unit{{fill:#6b6b70}}.grid{{stroke:#e4e4e8}}\n"
                ".line{{fill:none;stroke-width:2}}.own{{stroke:#0068a8}}.rival{{stroke:#c44e00}}\n"
-               ".many{{stroke-dasharray:5 3}}\n"
+               ".many{{stroke-dasharray:5 3}}.power{{font-size:9px}}\n"
                "@media (prefers-color-scheme:dark){{.page{{fill:#1c1c1e}}\n"
                "text{{fill:#f2f2f4}}.unit{{fill:#a0a0a6}}.grid{{stroke:#34343a}}\n"
                ".own{{stroke:#4da3dd}}.rival{{stroke:#e8803c}}}}\n</style>\n"

@@ -1,0 +1,111 @@
+// Seconds from the move of a slider of the tree to what it changes on the screen: the tree with its
+// half of Delta, the boxes in the picture, and the half of Delta that needs every ray. The
+// interface runs without OpenGL, at a small size of the window.
+
+#include <benchmark/benchmark.h>
+
+#include <fmt/format.h>
+
+#include "core/base/check.h"
+#include "core/base/timer.h"
+#include "core/eval/lambda.h"
+#include "tests/gui/app_rig.h"
+
+namespace bspview {
+namespace {
+
+State boxes_of(const std::string& source) {
+  State state;
+  open_source(state, source);
+  state.boxes.visible = true;
+  state.measure_times = false;
+  state.picture.samples = 1;
+  return state;
+}
+
+/// The i-th position of a slider: near the one before, over and over the same range.
+using Slider = void (*)(BuildParams& params, int i);
+
+void depth(BuildParams& params, int i) {
+  params.max_depth = 12 + i % 30;
+}
+void leaf_size(BuildParams& params, int i) {
+  params.leaf_size = 1 + i % 30;
+}
+void cost_of_nodes(BuildParams& params, int i) {
+  params.cost_traversal = 1.0f + 0.05f * static_cast<float>(1 + i % 30);
+}
+
+struct Moves {
+  std::vector<double> tree, boxes, rays;  // seconds
+};
+
+void add_move(AppRig& rig, Moves& moves) {
+  const BuildParams& wish = rig.state().build;
+  const auto is_it = [&](const std::shared_ptr<const BuiltTree>& tree) {
+    return tree && tree->request.params == wish;
+  };
+  const Timer timer;
+  const auto time = [&](std::vector<double>& seconds, const auto& is_there) {
+    BSPVIEW_CHECK(rig.wait_for([&] { return is_there(rig.results()); }));
+    seconds.push_back(timer.seconds());
+  };
+  time(moves.tree, [&](const Results& results) { return is_it(results.tree); });
+  time(moves.boxes, [&](const Results& results) {
+    return results.overlay && is_it(results.overlay->request.tree);
+  });
+  time(moves.rays, [&](const Results& results) {
+    return is_it(results.tree) && results.now->delta.n_at.has_value();
+  });
+}
+
+struct NamedSlider {
+  const char* name;
+  Slider slide;
+};
+
+void move_slider(benchmark::State& state, const std::string& source, Slider slider) {
+  AppRig rig(boxes_of(source));
+  BSPVIEW_CHECK(rig.settle());
+  const auto objects = static_cast<double>(rig.results().scene->counts.objects);
+  slider(rig.app().state().build, 31);  // the first move beyond the tree builds a larger one
+  BSPVIEW_CHECK(rig.settle());
+  Moves moves;
+  int i = 0;
+  for (auto _ : state) {
+    slider(rig.app().state().build, i++);
+    add_move(rig, moves);
+    state.PauseTiming();
+    BSPVIEW_CHECK(rig.settle());
+    state.ResumeTiming();
+  }
+  const auto milliseconds = [](const std::vector<double>& seconds) {
+    return 1e3 * summarise(seconds).median;
+  };
+  state.counters["objects"] = objects;
+  state.counters["tree_ms"] = milliseconds(moves.tree);
+  state.counters["boxes_ms"] = milliseconds(moves.boxes);
+  state.counters["rays_ms"] = milliseconds(moves.rays);
+}
+
+bool register_all() {
+  for (const char* source : {"spd:mount:6", "spd:gears:4", "spd:mount:8", "spd:gears:9",
+                             "spd:tetra:10", "spd:gears:19"}) {
+    for (const auto& [name, slider] :
+         {NamedSlider{"depth", depth}, {"leaf_size", leaf_size}, {"cost", cost_of_nodes}}) {
+      benchmark::RegisterBenchmark(fmt::format("slider/{}/{}", source, name).c_str(),
+                                   [source, slider = slider](benchmark::State& state) {
+                                     move_slider(state, source, slider);
+                                   })
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime()
+          ->Iterations(20);
+    }
+  }
+  return true;
+}
+
+const bool registered = register_all();
+
+}  // namespace
+}  // namespace bspview
