@@ -35,6 +35,8 @@ class Regrowth {
       : whole_(*whole.tree), inner_(whole.inner->lists), tree_(tree) {}
 
   void grow_root() {
+    tree_.nodes.reserve(whole_.nodes.size());
+    tree_.references.reserve(whole_.references.size());
     tree_.nodes.push_back(Node::make_leaf(0, 0));
     grow(0, 0, 0);
   }

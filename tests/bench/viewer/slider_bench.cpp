@@ -1,10 +1,13 @@
 // Seconds from the move of a slider of the tree to what it changes on the screen: the tree with its
 // half of Delta, the boxes in the picture, and the half of Delta that needs every ray. The
-// interface runs without OpenGL, at a small size of the window.
+// interface runs without OpenGL, at a small size of the window. And how many trees and boxes a
+// second there are while the hand does not rest.
 
 #include <benchmark/benchmark.h>
 
 #include <fmt/format.h>
+
+#include <thread>
 
 #include "core/base/check.h"
 #include "core/base/timer.h"
@@ -88,6 +91,29 @@ void move_slider(benchmark::State& state, const std::string& source, Slider slid
   state.counters["rays_ms"] = milliseconds(moves.rays);
 }
 
+void drag_slider(benchmark::State& state, const std::string& source, Slider slider) {
+  constexpr auto frame = std::chrono::milliseconds(16);
+  AppRig rig(boxes_of(source));
+  BSPVIEW_CHECK(rig.settle());
+  slider(rig.app().state().build, 31);
+  BSPVIEW_CHECK(rig.settle());
+  std::size_t trees = 0, boxes = 0;
+  const BuiltTree *tree = nullptr, *drawn = nullptr;
+  int i = 0;
+  for (auto _ : state) {
+    slider(rig.app().state().build, i++);
+    rig.frame();
+    const Results& results = rig.results();
+    trees += std::exchange(tree, results.tree.get()) != tree ? 1 : 0;
+    const BuiltTree* const of = results.overlay ? results.overlay->request.tree.get() : nullptr;
+    boxes += std::exchange(drawn, of) != drawn ? 1 : 0;
+    std::this_thread::sleep_for(frame);
+  }
+  using benchmark::Counter;
+  state.counters["trees"] = Counter(static_cast<double>(trees), Counter::kIsRate);
+  state.counters["boxes"] = Counter(static_cast<double>(boxes), Counter::kIsRate);
+}
+
 bool register_all() {
   for (const char* source : {"spd:mount:6", "spd:gears:4", "spd:mount:8", "spd:gears:9",
                              "spd:tetra:10", "spd:gears:19"}) {
@@ -100,6 +126,13 @@ bool register_all() {
           ->Unit(benchmark::kMillisecond)
           ->UseRealTime()
           ->Iterations(20);
+      benchmark::RegisterBenchmark(fmt::format("drag/{}/{}", source, name).c_str(),
+                                   [source, slider = slider](benchmark::State& state) {
+                                     drag_slider(state, source, slider);
+                                   })
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime()
+          ->Iterations(200);
     }
   }
   return true;
