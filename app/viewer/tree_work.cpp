@@ -37,6 +37,7 @@ class TreeWork::Grower {
   };
 
   Result<Grown> grow(const TreeRequest& request, std::stop_token stop) {
+    set_under_way(std::nullopt);  // in case that the work before ran out of memory
     const bool is_new = !last_ || !is_family(*last_, request);
     if (is_new) {
       whole_ = {};

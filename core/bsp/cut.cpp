@@ -1,6 +1,7 @@
 #include "core/bsp/cut.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -71,12 +72,16 @@ class Regrowth {
 
 Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParams& params,
                                        InnerLimit limit, std::stop_token stop) {
-  auto inner = std::make_unique<InnerObjects>(limit);
-  Result<Tree> tree = build_tree(input, params, std::move(stop), inner.get());
-  if (!tree) return tree.error();
-  if (!inner->complete()) inner.reset();
-  const int deepest = inner ? deepest_leaf(*tree) : 0;
-  return MaximalTree{std::make_shared<Tree>(*std::move(tree)), std::move(inner), deepest};
+  try {
+    auto inner = std::make_unique<InnerObjects>(limit);
+    Result<Tree> tree = build_tree(input, params, std::move(stop), inner.get());
+    if (!tree) return tree.error();
+    if (!inner->complete()) inner.reset();
+    const int deepest = inner ? deepest_leaf(*tree) : 0;
+    return MaximalTree{std::make_shared<Tree>(*std::move(tree)), std::move(inner), deepest};
+  } catch (const std::bad_alloc&) {
+    return Error{"not enough memory for the tree"};
+  }
 }
 
 bool costs_choose_planes(Builder builder) {
@@ -105,7 +110,11 @@ std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params) {
             .params = params,
             .max_depth = effective_depth(params, uncut.object_count),
             .naive = uncut.naive};
-  Regrowth(whole, tree).grow_root();
+  try {
+    Regrowth(whole, tree).grow_root();
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
   // A lone root and the naive list are made whatever they take.
   const bool is_limited = tree.max_depth > 0 && !tree.naive;
   if (is_limited && tree.bytes() > params.memory_limit) return {};

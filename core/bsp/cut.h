@@ -36,8 +36,8 @@ bool same_planes(const BuildParams& a, const BuildParams& b);
 bool is_part(const BuildParams& part, const BuildParams& whole, std::size_t objects);
 
 /// The tree that build_tree would make of the same objects, node for node; nothing where that is
-/// not a part of `whole`, or larger than params.memory_limit. Its build_seconds are those of the
-/// cut. O(size of the result).
+/// not a part of `whole`, larger than params.memory_limit, or when memory runs out. Its
+/// build_seconds are those of the cut. O(size of the result).
 std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params);
 
 }  // namespace bspview

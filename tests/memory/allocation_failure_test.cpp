@@ -4,6 +4,7 @@
 
 #include <new>
 
+#include "core/bsp/cut.h"
 #include "core/render/render.h"
 #include "core/render/scene_tree.h"
 #include "tests/memory/allocations.h"
@@ -50,6 +51,46 @@ TEST(AllocationFailure, ABuildGivesOneErrorAndEveryByteBack) {
     EXPECT_NE(outcome, "an exception") << name_of(params.builder) << ", trial " << trial;
     EXPECT_EQ(live_bytes(), before) << name_of(params.builder) << ", trial " << trial;
   }
+}
+
+TEST(AllocationFailure, AMaximalTreeGivesOneErrorAndEveryByteBack) {
+  const Scene scene = test::random_scene(3000, 75);
+  const SceneBuildInput objects(scene);
+  const auto build = [&] {
+    return build_maximal_tree(objects.input(), {.max_depth = 12}, {std::size_t{1} << 26});
+  };
+  const long all = count_allocations([&] { (void)build(); });
+  test::Random random(76);
+  for (int trial = 0; trial < trials; ++trial) {
+    const std::ptrdiff_t before = live_bytes();
+    {
+      const FailingAllocation failing(random.below(static_cast<int>(all)));
+      const auto whole = build();
+      if (!whole) {
+        EXPECT_EQ(whole.error().message, "not enough memory for the tree") << trial;
+      }
+    }
+    EXPECT_EQ(live_bytes(), before) << trial;
+  }
+}
+
+TEST(AllocationFailure, ACutGivesNothingAndTheMaximalTreeStays) {
+  const Scene scene = test::random_scene(3000, 77);
+  const SceneBuildInput objects(scene);
+  const auto whole = build_maximal_tree(objects.input(), {}, {std::size_t{1} << 26});
+  ASSERT_TRUE(whole.ok());
+  const BuildParams params{.leaf_size = 3};
+  const auto part = cut(*whole, params);
+  const long all = count_allocations([&] { (void)cut(*whole, params); });
+  for (long i = 0; i < all; ++i) {
+    const std::ptrdiff_t before = live_bytes();
+    {
+      const FailingAllocation failing(i);
+      EXPECT_FALSE(cut(*whole, params)) << i;
+    }
+    EXPECT_EQ(live_bytes(), before) << i;
+  }
+  EXPECT_EQ(cut(*whole, params)->nodes, part->nodes);
 }
 
 TEST(AllocationFailure, APictureGivesOneErrorAndEveryByteBackAndTheTreeStays) {
