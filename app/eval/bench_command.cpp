@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "app/eval/commands.h"
@@ -30,7 +31,7 @@ struct BenchOptions {
   bool scale = false;
   bool povray = false;
   bool build = false;
-  bool builder_given = false;
+  bool builder_given = false, limit_given = false;
   std::vector<double> sizes = BuildBenchParams{}.sizes;
   double max_objects = ScaleParams{}.max_objects;
   bool quiet = false;
@@ -120,6 +121,8 @@ Result<Texts> measure_builds(const BenchOptions& options, const Watch& watch) {
   BuildBenchParams params{.build = options.tree.build};
   params.sizes = options.sizes;
   params.repeats = options.params.repeats;
+  // A tree that does not fit is built several times: no time of one build.
+  if (!options.limit_given) params.build.memory_limit = std::numeric_limits<std::size_t>::max();
   if (options.builder_given) params.builders = {options.tree.build.builder};
   const auto report = run_build_bench(params, watch);
   return report ? Result<Texts>(texts_of(*report)) : report.error();
@@ -200,7 +203,7 @@ void add_build_mode(CLI::App& command, BenchOptions& options) {
   CLI::Option* build = command.add_flag(
       "--build", options.build,
       "Time the building of standard scenes in growing sizes, with threads from one to all (or "
-      "--threads), instead; default: every SAH builder");
+      "--threads), instead; default: every SAH builder, no memory limit");
   for (const char* other : {"SCENE", "--rays", "--kinds", "--segments", "--scale", "--povray"}) {
     build->excludes(command.get_option(other));
   }
@@ -247,6 +250,7 @@ void add_bench(CLI::App& app, Run& run) {
   add_bench_options(*command, *options);
   command->callback([options, command, &run] {
     options->builder_given = command->count("--builder") > 0;
+    options->limit_given = command->count("--memory-limit") > 0;
     run = [options] { return run_bench_command(*options); };
   });
 }
