@@ -23,7 +23,7 @@ Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
                         const Publish<Measures>& publish);
 
 /// Builds trees, and while nothing but their limits is changed, cuts them from a larger one. The
-/// builders that costs stop early keep what that needs from their first tree on, which takes 3 to
+/// builders that costs stop early keep what that needs from their first tree on, which takes up to
 /// 7 % of its time; the others, whose trees grow without end, only once a limit has been changed.
 class TreeWork {
  public:

@@ -7,7 +7,7 @@ void meter(const BuildJob& job, Branch& branch) {
   branch.metered = branch.bytes();
 }
 
-void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, const Branch& part) {
+void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, Branch& part) {
   // Node 0 of the part takes the slot, so node i >= 1 of it lands at first_node + i.
   const auto first_node = static_cast<std::uint32_t>(whole.nodes.size()) - 1;
   const auto first_reference = static_cast<std::uint32_t>(whole.references.size());
@@ -20,7 +20,7 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, const Branch
                [&](std::size_t i) { whole.nodes.push_back(moved(part.nodes[i + 1])); });
   job.for_each(part.references.size(), light_steps,
                [&](std::size_t i) { whole.references.push_back(part.references[i]); });
-  whole.inner.insert(whole.inner.end(), part.inner.begin(), part.inner.end());
+  whole.inner.append(part.inner);
   whole.metered += part.metered - sizeof(Node);
 }
 

@@ -16,8 +16,8 @@ namespace bspview {
 struct Branch {
   std::vector<Node> nodes;  ///< [0] is the branch's root; children come in pairs behind parents
   std::vector<std::uint32_t> references;
-  std::vector<InnerObjects::List> inner;  ///< where the job keeps them; the root's first
-  std::size_t metered = 0;                ///< bytes that the job's meter knows of
+  InnerLists inner;         ///< where the job keeps them
+  std::size_t metered = 0;  ///< bytes that the job's meter knows of
   ScratchStack scratch;
 
   std::size_t bytes() const {
@@ -29,6 +29,6 @@ struct Branch {
 void meter(const BuildJob& job, Branch& branch);
 
 /// Puts the root of `part` at `slot` of `whole`, its other nodes and its references at the end.
-void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, const Branch& part);
+void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, Branch& part);
 
 }  // namespace bspview

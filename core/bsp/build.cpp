@@ -109,7 +109,7 @@ std::optional<GrownTree> grow_to(int depth, const Rule& rule, BuildJob job) {
 /// The whole tree, or else the deepest one that the memory limit allows.
 GrownTree grow_tree(const Rule& rule, BuildJob job) {
   if (auto whole = grow_to(job.max_depth, rule, job)) return *std::move(whole);
-  if (job.inner) job.inner->give_up();
+  if (job.inner) job.inner->meter.give_up();
   job.inner = nullptr;
   int fitting = 0, too_deep = job.max_depth;
   std::optional<GrownTree> cut;

@@ -20,13 +20,22 @@ bool same_costs(const CostModel& a, const CostModel& b) {
          a.empty_factor == b.empty_factor;
 }
 
-int deepest_leaf(const Tree& tree) {
+/// Whether some leaf lies at the maximal depth: a deeper tree might have more nodes.
+bool reaches_maximal_depth(const Tree& tree) {
   std::vector<std::uint8_t> depths(tree.nodes.size(), 0);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const Node& node = tree.nodes[i];
     if (!node.is_leaf()) depths[node.left()] = depths[node.right()] = depths[i] + 1;
   }
-  return *std::ranges::max_element(depths);
+  return *std::ranges::max_element(depths) == tree.max_depth;
+}
+
+/// Whether the limits in `params` stop the builder nowhere later than those of `whole`.
+bool is_within(const Tree& whole, const BuildParams& params) {
+  if (is_part(params, whole.params, whole.object_count)) return true;
+  BuildParams deeper = whole.params;
+  deeper.max_depth = depth_cap;
+  return is_part(params, deeper, whole.object_count) && !reaches_maximal_depth(whole);
 }
 
 /// Grows a tree like Recursion does, with the planes of another one.
@@ -47,7 +56,7 @@ class Regrowth {
   void grow(std::uint32_t from, std::uint32_t to, int depth) {
     const Node& node = whole_.nodes[from];
     if (node.is_leaf()) return make_leaf(to, whole_.objects_of(node));
-    const InnerObjects::List objects = inner_[(node.left() - 1) / 2];
+    const std::span<const std::uint32_t> objects = inner_[(node.left() - 1) / 2];
     const auto leaf_size = static_cast<std::size_t>(least_leaf_size(tree_.params));
     if (objects.size() <= leaf_size || depth >= tree_.max_depth) return make_leaf(to, objects);
     const auto left = static_cast<std::uint32_t>(tree_.nodes.size());
@@ -64,9 +73,26 @@ class Regrowth {
   }
 
   const Tree& whole_;
-  const std::span<const InnerObjects::List> inner_;
+  const InnerLists& inner_;
   Tree& tree_;
 };
+
+std::optional<Tree> regrow(const MaximalTree& whole, const BuildParams& params) {
+  const Timer timer;
+  const Tree& uncut = *whole.tree;
+  if (!whole.inner || !is_within(uncut, params)) return {};
+  Tree tree{.box = uncut.box,
+            .object_count = uncut.object_count,
+            .params = params,
+            .max_depth = effective_depth(params, uncut.object_count),
+            .naive = uncut.naive};
+  Regrowth(whole, tree).grow_root();
+  // A lone root and the naive list are made whatever they take.
+  const bool is_limited = tree.max_depth > 0 && !tree.naive;
+  if (is_limited && tree.bytes() > params.memory_limit) return {};
+  tree.build_seconds = timer.seconds();
+  return tree;
+}
 
 }  // namespace
 
@@ -76,9 +102,8 @@ Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParam
     auto inner = std::make_unique<InnerObjects>(limit);
     Result<Tree> tree = build_tree(input, params, std::move(stop), inner.get());
     if (!tree) return tree.error();
-    if (!inner->complete()) inner.reset();
-    const int deepest = inner ? deepest_leaf(*tree) : 0;
-    return MaximalTree{std::make_shared<Tree>(*std::move(tree)), std::move(inner), deepest};
+    if (!inner->meter.complete()) inner.reset();
+    return MaximalTree{std::make_shared<Tree>(*std::move(tree)), std::move(inner)};
   } catch (const std::bad_alloc&) {
     return Error{"not enough memory for the tree"};
   }
@@ -100,26 +125,11 @@ bool is_part(const BuildParams& part, const BuildParams& whole, std::size_t obje
 }
 
 std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params) {
-  const Timer timer;
-  const Tree& uncut = *whole.tree;
-  BuildParams limits = uncut.params;
-  if (whole.deepest_leaf < uncut.max_depth) limits.max_depth = depth_cap;  // it stopped nothing
-  if (!whole.inner || !is_part(params, limits, uncut.object_count)) return {};
-  Tree tree{.box = uncut.box,
-            .object_count = uncut.object_count,
-            .params = params,
-            .max_depth = effective_depth(params, uncut.object_count),
-            .naive = uncut.naive};
   try {
-    Regrowth(whole, tree).grow_root();
+    return regrow(whole, params);
   } catch (const std::bad_alloc&) {
     return {};
   }
-  // A lone root and the naive list are made whatever they take.
-  const bool is_limited = tree.max_depth > 0 && !tree.naive;
-  if (is_limited && tree.bytes() > params.memory_limit) return {};
-  tree.build_seconds = timer.seconds();
-  return tree;
 }
 
 }  // namespace bspview

@@ -16,7 +16,6 @@ namespace bspview {
 struct MaximalTree {
   std::shared_ptr<Tree> tree;
   std::unique_ptr<const InnerObjects> inner;  ///< null: not kept; nothing can be cut from the tree
-  int deepest_leaf = 0;
 };
 
 /// build_tree, and what cutting needs. That is not kept where it passes `limit`, nor where the tree

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace bspview {
@@ -21,59 +21,85 @@ struct InnerLimit {
   WhenPassed when_passed = WhenPassed::build_without;
 };
 
-/// What the inner nodes of a tree hold, kept while it is built, from any thread: any of them can
-/// then be made a leaf.
-class InnerObjects {
+/// Counts the bytes of all InnerLists of a tree, from any thread.
+class InnerMeter {
  public:
-  using List = std::span<const std::uint32_t>;  ///< object ids
-
-  explicit InnerObjects(InnerLimit limit) : limit_(limit) {}
-
-  /// Keeps the objects of one node, of which there are more than none.
-  template <class Objects>
-  List keep(const Objects& objects) {
-    const std::size_t count = objects.count();
-    if (!admit(sizeof(List) + count * sizeof(std::uint32_t))) return {};
-    std::vector<std::uint32_t>& page = page_for(count);
-    const std::size_t first = page.size();
-    objects.append_objects(page);
-    return List(page).subspan(first);
-  }
+  explicit InnerMeter(InnerLimit limit) : limit_(limit) {}
 
   /// Whether there was room for all.
   bool complete() const { return bytes() <= limit_.bytes; }
   std::size_t bytes() const { return bytes_.load(std::memory_order_relaxed); }
 
-  /// As if there were no room for any.
-  void give_up() { (void)admit(limit_.bytes + 1); }
-
-  /// The k-th is that of the inner node with the k-th pair of children; see Branch.
-  std::vector<List> lists;
-
- private:
-  using Pages = std::vector<std::vector<std::uint32_t>>;
-
   bool admit(std::size_t bytes) {
-    if (complete()) bytes_.fetch_add(bytes, std::memory_order_relaxed);
+    bytes_.fetch_add(bytes, std::memory_order_relaxed);
     if (!complete() && limit_.when_passed == InnerLimit::WhenPassed::do_not_build) {
       throw InnerObjectsPassed{};
     }
     return complete();
   }
 
-  /// A page of this thread with room for `count` more: its elements stay where they are.
-  std::vector<std::uint32_t>& page_for(std::size_t count) {
-    constexpr std::size_t page_size = std::size_t{1} << 16;
-    Pages& pages = pages_.local();
-    if (pages.empty() || pages.back().capacity() - pages.back().size() < count) {
-      pages.emplace_back().reserve(std::max(count, page_size));
-    }
-    return pages.back();
+  /// As if there were no room for any.
+  void give_up() {
+    if (complete()) (void)admit(limit_.bytes + 1 - bytes());
   }
 
+ private:
   const InnerLimit limit_;
   std::atomic<std::size_t> bytes_ = 0;
-  tbb::enumerable_thread_specific<Pages> pages_;
+};
+
+/// What the inner nodes of a tree hold, kept while it is built: any of them can then be made a
+/// leaf. The lists come in the order of the nodes, each behind its length.
+class InnerLists {
+ public:
+  std::size_t size() const { return lists_.size(); }
+
+  /// Object ids of the node with the i-th pair of children.
+  std::span<const std::uint32_t> operator[](std::size_t i) const {
+    return {lists_[i] + 1, *lists_[i]};
+  }
+
+  template <class Objects>
+  void keep(const Objects& objects, InnerMeter& meter) {
+    const std::size_t count = objects.count();
+    if (!meter.complete() || !make_room(count + 1, meter)) return;
+    std::vector<std::uint32_t>& page = pages_.back();
+    lists_.push_back(page.data() + page.size());
+    page.push_back(static_cast<std::uint32_t>(count));
+    objects.append_objects(page);
+  }
+
+  /// Puts the lists of `part`, which becomes empty, behind these.
+  void append(InnerLists& part) {
+    lists_.insert(lists_.end(), part.lists_.begin(), part.lists_.end());
+    std::ranges::move(part.pages_, std::back_inserter(pages_));
+    metered_ += part.metered_;
+    part = {};
+  }
+
+ private:
+  /// Elements of a page stay where they are.
+  bool make_room(std::size_t count, InnerMeter& meter) {
+    constexpr std::size_t least = std::size_t{1} << 10, most = std::size_t{1} << 16;
+    if (!pages_.empty() && pages_.back().capacity() - pages_.back().size() >= count) return true;
+    const std::size_t grown = pages_.empty() ? least : 2 * pages_.back().capacity();
+    const std::size_t size = std::max(count, std::clamp(grown, least, most));
+    const std::size_t pointers = lists_.size() - std::exchange(metered_, lists_.size());
+    if (!meter.admit(size * sizeof(std::uint32_t) + pointers * sizeof(lists_[0]))) return false;
+    pages_.emplace_back().reserve(size);
+    return true;
+  }
+
+  std::vector<std::vector<std::uint32_t>> pages_;
+  std::vector<const std::uint32_t*> lists_;
+  std::size_t metered_ = 0;  // lists whose pointers the meter knows of
+};
+
+/// The inner objects of one tree.
+struct InnerObjects {
+  explicit InnerObjects(InnerLimit limit) : meter(limit) {}
+  InnerMeter meter;
+  InnerLists lists;
 };
 
 }  // namespace bspview

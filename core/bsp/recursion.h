@@ -55,7 +55,7 @@ class Recursion {
     job_.poll();
     const std::optional<Split> wanted = wanted_split(objects, place);
     if (!wanted) return make_leaf(objects, slot);
-    if (job_.inner) slot.branch.inner.push_back(job_.inner->keep(objects));
+    if (job_.inner) slot.branch.inner.keep(objects, job_.inner->meter);
 
     const CellSplit split(*wanted, place.cell);
     Objects right = objects.split(split, slot.branch.scratch);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/bsp/stats.h"
 #include "core/render/scene_tree.h"
 #include "core/scene/spd.h"
 #include "tests/support/box_sets.h"
@@ -121,9 +122,10 @@ TEST(Cut, HasTheObjectsThatClippingLosesFurtherDown) {
 TEST(Cut, OfATreeThatNoDepthStoppedMayBeDeeper) {
   const test::BoxSet set = test::random_boxes(300, 1);
   const MaximalTree whole = whole_tree(set.input(), {.max_depth = 50});
-  ASSERT_LT(whole.deepest_leaf, 50);
+  const int deepest = tree_stats(*whole.tree).deepest_leaf;
+  ASSERT_LT(deepest, 50);
   expect_cut_is_rebuilt(set.input(), whole, {.max_depth = 60});
-  expect_cut_is_rebuilt(set.input(), whole, {.max_depth = whole.deepest_leaf});
+  expect_cut_is_rebuilt(set.input(), whole, {.max_depth = deepest});
 }
 
 TEST(Cut, HasNoMoreThanTheWholeTree) {
@@ -167,8 +169,8 @@ TEST(Cut, KeepsToTheMemoryLimit) {
 TEST(Cut, NeedsTheObjectsOfTheInnerNodes) {
   const test::BoxSet set = test::random_boxes(500, 6);
   const MaximalTree whole = whole_tree(set.input(), {});
-  const auto fits = build_maximal_tree(set.input(), {}, {whole.inner->bytes()});
-  const auto lacks = build_maximal_tree(set.input(), {}, {whole.inner->bytes() - 1});
+  const auto fits = build_maximal_tree(set.input(), {}, {whole.inner->meter.bytes()});
+  const auto lacks = build_maximal_tree(set.input(), {}, {whole.inner->meter.bytes() - 1});
   ASSERT_TRUE(fits.ok() && lacks.ok());
   EXPECT_TRUE(cut(*fits, {}));
   EXPECT_FALSE(cut(*lacks, {}));
@@ -189,7 +191,7 @@ TEST(Cut, ATreeWithTheObjectsOfItsInnerNodesOrNoneIsOneOrAnError) {
     return build_maximal_tree(set.input(), {.memory_limit = tree_bytes, .threads = 2},
                               {inner_bytes, InnerLimit::WhenPassed::do_not_build});
   };
-  const std::size_t inner = whole.inner->bytes(), tree = whole.tree->bytes();
+  const std::size_t inner = whole.inner->meter.bytes(), tree = whole.tree->bytes();
   EXPECT_TRUE(build(inner, tree).ok());
   for (const auto& [inner_bytes, tree_bytes] :
        {std::pair{inner - 1, tree}, {inner, tree - 1}, {std::size_t{0}, tree}}) {
