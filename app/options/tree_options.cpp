@@ -39,8 +39,6 @@ CLI::Validator refuse(const std::string& value, const std::string& sentence) {
 
 void add_split_options(CLI::App& app, BuildParams& build) {
   add_names(app, "--builder", builder_names(), build.builder)
-      ->check(
-          refuse("sah-binned", "this version has no sah-binned; sah makes the same kind of tree"))
       ->description("How split planes are chosen")
       ->group(group);
   add_switch(app, "--clip", build.clip)

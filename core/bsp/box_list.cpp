@@ -27,6 +27,7 @@ BoxList BoxList::split(const CellSplit& split, ScratchStack&) {
     if (goes_left) deal(left, boxes.left, object);
     if (goes_right) deal(right, boxes.right, object);
   });
+  if (!split.keeps_left()) std::swap(left, right);
   parts_ = std::move(left);
   return BoxList(*job_, rule_, std::move(right));
 }

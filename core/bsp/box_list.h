@@ -23,6 +23,7 @@ class BoxList {
   void append_objects(std::vector<std::uint32_t>& objects) const;
   std::optional<Split> find_split(const Place& place) const { return rule_(*job_, parts_, place); }
   BoxList split(const CellSplit& split, ScratchStack& scratch);
+  void release() { parts_ = {}; }
 
  private:
   const BuildJob* job_;

@@ -28,6 +28,7 @@ constexpr std::array rules{
     Rule{"object-median", grow_object_median},
     Rule{"mb", grow_mb},
     Rule{"sah", grow_sah},
+    Rule{"sah-binned", grow_sah_binned},
 };
 
 constexpr auto rule_names = [] {

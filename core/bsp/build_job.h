@@ -76,6 +76,9 @@ struct CellSplit : Split {
   CellSplit(const Split& split, const Aabb& whole)
       : Split(split), cell(whole), cells(split_cell(whole, split.axis, split.position)) {}
 
+  /// Which side has more objects; they stay where they are while the others move out.
+  bool keeps_left() const { return left >= right; }
+
   Aabb cell;
   Cells cells;
 };

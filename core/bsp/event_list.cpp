@@ -128,7 +128,7 @@ void EventList::find_sides(const Split& split, std::uint8_t* sides) const {
 void EventList::deal_objects(const CellSplit& split, const std::uint8_t* sides,
                              const Children& to) const {
   job_->for_each(count_, clip_steps, [&](std::size_t i) {
-    const std::uint32_t object = objects_[i];  // read before the left child takes its place
+    const std::uint32_t object = objects_[i];  // before others take its place
     if (job_->clip && sides[i] == both_sides) {
       const SideBoxes boxes = clip_sides(*job_, object, split);
       to.left.add_clipped(i, object, boxes.left);
@@ -154,18 +154,20 @@ void EventList::deal_events(int axis, const Children& to) const {
 }
 
 EventList EventList::split(const CellSplit& split, ScratchStack& scratch) {
-  EventList right_list(*job_, split.right, scratch);
+  EventList other(*job_, std::min(split.left, split.right), scratch);
+  EventList& left_list = split.keeps_left() ? *this : other;
+  EventList& right_list = split.keeps_left() ? other : *this;
   const std::size_t straddling = split.left + split.right - count_;
-  Child left(*this, count_, straddling, scratch);
+  Child left(left_list, count_, straddling, scratch);
   Child right(right_list, count_, straddling, scratch);
   const ScratchStack::Array<std::uint8_t> sides(scratch, count_);
 
   find_sides(split, sides.data());
   deal_objects(split, sides.data(), {left, right});
   for_each_axis(count_, [&](int axis) { deal_events(axis, {left, right}); });
-  count_ = left.count();
+  left_list.count_ = left.count();
   right_list.count_ = right.count();
-  return right_list;
+  return other;
 }
 
 }  // namespace bspview

@@ -33,8 +33,12 @@ class EventList {
   /// The parts of a node that holds few.
   FewParts few_parts(ScratchStack& scratch) const;
 
-  /// Keeps what touches the left cell, in place, and returns what touches the right one.
+  /// Keeps what touches one cell, in place, and returns what touches the other.
   EventList split(const CellSplit& split, ScratchStack& scratch);
+  void release() {
+    objects_.release();
+    events_.release();
+  }
 
  private:
   class Child;

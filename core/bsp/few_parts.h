@@ -24,6 +24,7 @@ class FewParts {
   void append_objects(std::vector<std::uint32_t>& objects) const;
   std::optional<Split> find_split(const Place& place) const;
   FewParts split(const CellSplit& split, ScratchStack& scratch);
+  void release() {}  // the outlines are those of the other side, too
 
  private:
   struct Part {
@@ -41,7 +42,10 @@ class FewParts {
     objects_[count_] = part.object;
     of_parts_[count_++] = part.outline;
   }
-  void cut(const Part& part, const CellSplit& split, Outline* sides, FewParts& right);
+  struct Sides {
+    FewParts &left, &right;
+  };
+  void cut(const Part& part, const CellSplit& split, Outline* outlines, const Sides& to) const;
 
   const BuildJob* job_;
   std::size_t count_ = 0;

@@ -22,37 +22,50 @@ using IntV = hn::Vec<Ints>;
 constexpr Doubles doubles;
 constexpr Floats floats;
 constexpr Ints ints;
+constexpr hn::Rebind<float, Doubles> narrow;
+constexpr hn::Rebind<std::int32_t, Doubles> narrow_ints;
 
 /// Of the planes across each axis.
 struct alignas(32) AxisCosts {
   double lo[axis_lanes], hi[axis_lanes], caps[axis_lanes], rim[axis_lanes];
-  double first[axis_lanes], last[axis_lanes];
+  float first[axis_lanes], last[axis_lanes];
 };
 
 /// The planes to try, and how many boxes touch each side of them.
 struct alignas(32) Planes {
   static constexpr std::size_t most = (2 * most_few_parts + 2) * axis_lanes;
 
+  double cost[most];
   float position[most];
   std::int32_t left[most], right[most];
 };
 
-AxisCosts axis_costs(const BuildJob& job, const Aabb& cell) {
-  AxisCosts costs;
+/// As SplitCost and PlaneRange; the fourth lane has no room for planes.
+HWY_INLINE void find_axis_costs(const BuildJob& job, const Aabb& cell, AxisCosts& costs) {
+  const Vec3d d = Vec3d(cell.hi) - Vec3d(cell.lo);
+  const double area = d.x * d.y + d.y * d.z + d.z * d.x;
+  alignas(32) const double los[axis_lanes] = {cell.lo.x, cell.lo.y, cell.lo.z, 1.0};
+  alignas(32) const double his[axis_lanes] = {cell.hi.x, cell.hi.y, cell.hi.z, 0.0};
+  alignas(32) const double us[axis_lanes] = {d.y, d.z, d.x, 0.0};
+  alignas(32) const double vs[axis_lanes] = {d.z, d.x, d.y, 0.0};
+  const DoubleV intersection = hn::Set(doubles, job.costs.intersection);
+  const DoubleV areas = hn::Set(doubles, area), width = hn::Set(doubles, job.min_width);
+  for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
+    const DoubleV lo = hn::Load(doubles, los + lane), hi = hn::Load(doubles, his + lane);
+    const DoubleV u = hn::Load(doubles, us + lane), v = hn::Load(doubles, vs + lane);
+    hn::Store(lo, doubles, costs.lo + lane);
+    hn::Store(hi, doubles, costs.hi + lane);
+    hn::Store(hn::Div(hn::Mul(hn::Mul(intersection, u), v), areas), doubles, costs.caps + lane);
+    hn::Store(hn::Mul(intersection, hn::Div(hn::Add(u, v), areas)), doubles, costs.rim + lane);
+    hn::Store(round_to_float<1>(doubles, hn::Add(lo, width)), narrow, costs.first + lane);
+    hn::Store(round_to_float<-1>(doubles, hn::Sub(hi, width)), narrow, costs.last + lane);
+  }
+  if (area > 0.0) return;
   for (int axis = 0; axis < 3; ++axis) {
     const SplitCost cost(job.costs, cell, axis);
-    costs.lo[axis] = cost.lo;
-    costs.hi[axis] = cost.hi;
     costs.caps[axis] = cost.caps;
     costs.rim[axis] = cost.rim;
-    const PlaneRange range(job, cell, axis);
-    costs.first[axis] = range.first();
-    costs.last[axis] = range.last();
   }
-  costs.lo[3] = costs.hi[3] = costs.caps[3] = costs.rim[3] = 0.0;
-  costs.first[3] = 1.0;
-  costs.last[3] = 0.0;  // no room
-  return costs;
 }
 
 /// The last ones are the first and the last plane for which there is room.
@@ -68,8 +81,8 @@ HWY_INLINE void place_planes(std::span<const FewBox> boxes, const AxisCosts& cos
     positions += 2 * axis_lanes;
   }
   for (std::size_t lane = 0; lane < axis_lanes; ++lane) {
-    positions[lane] = static_cast<float>(costs.first[lane]);
-    positions[axis_lanes + lane] = static_cast<float>(costs.last[lane]);
+    positions[lane] = costs.first[lane];
+    positions[axis_lanes + lane] = costs.last[lane];
   }
 }
 
@@ -87,55 +100,74 @@ HWY_INLINE void count_sides(std::span<const FewBox> boxes, Planes& planes, std::
   }
 }
 
-/// The cheapest plane of each axis.
+/// Of the planes across each axis: the least cost, and the lowest plane of that cost.
 struct alignas(32) AxisBests {
   double cost[axis_lanes], position[axis_lanes];
 };
 
-/// Costs as those of SplitCost.
-HWY_INLINE void find_cheapest(const CostModel& model, const AxisCosts& costs, const Planes& planes,
-                              std::size_t count, AxisBests& bests) {
-  const hn::Rebind<float, Doubles> narrow;
-  const hn::Rebind<std::int32_t, Doubles> narrow_ints;
+/// The planes of some axes, from `lane` on.
+struct AxisPlanes {
+  Planes& planes;
+  std::size_t lane, count;
+};
+
+/// Writes costs as those of SplitCost, infinite where there is no room; the result is the least.
+HWY_INLINE DoubleV find_costs(const CostModel& model, const AxisCosts& costs,
+                              const AxisPlanes& some) {
+  const auto [planes, lane, count] = some;
+  const auto load = [&](const double* each) { return hn::Load(doubles, each + lane); };
+  const DoubleV lo = load(costs.lo), hi = load(costs.hi);
+  const DoubleV caps = load(costs.caps), rim = load(costs.rim);
+  const DoubleV first = hn::PromoteTo(doubles, hn::Load(narrow, costs.first + lane));
+  const DoubleV last = hn::PromoteTo(doubles, hn::Load(narrow, costs.last + lane));
   const DoubleV traversal = hn::Set(doubles, model.traversal);
   const DoubleV empty_factor = hn::Set(doubles, model.empty_factor);
-  for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
-    const DoubleV lo = hn::Load(doubles, costs.lo + lane), hi = hn::Load(doubles, costs.hi + lane);
-    const DoubleV caps = hn::Load(doubles, costs.caps + lane);
-    const DoubleV rim = hn::Load(doubles, costs.rim + lane);
-    const DoubleV first = hn::Load(doubles, costs.first + lane);
-    const DoubleV last = hn::Load(doubles, costs.last + lane);
-    DoubleV best_cost = hn::Set(doubles, std::numeric_limits<double>::infinity());
-    DoubleV best_position = hn::Zero(doubles);
-    for (std::size_t plane = lane; plane < count; plane += axis_lanes) {
-      const DoubleV position = hn::PromoteTo(doubles, hn::Load(narrow, planes.position + plane));
-      const DoubleV left = hn::PromoteTo(doubles, hn::Load(narrow_ints, planes.left + plane));
-      const DoubleV right = hn::PromoteTo(doubles, hn::Load(narrow_ints, planes.right + plane));
-      const DoubleV before = hn::Add(caps, hn::Mul(rim, hn::Sub(position, lo)));
-      const DoubleV behind = hn::Add(caps, hn::Mul(rim, hn::Sub(hi, position)));
-      const DoubleV tests = hn::Add(hn::Mul(left, before), hn::Mul(right, behind));
-      const DoubleV full = hn::Add(traversal, tests);
-      const auto empty = hn::Eq(hn::Min(left, right), hn::Zero(doubles));
-      const DoubleV cost = hn::IfThenElse(empty, hn::Mul(full, empty_factor), full);
-      const auto has_room = hn::And(hn::Le(first, position), hn::Le(position, last));
-      const auto tie = hn::And(hn::Eq(cost, best_cost), hn::Lt(position, best_position));
-      const auto better = hn::And(has_room, hn::Or(hn::Lt(cost, best_cost), tie));
-      best_cost = hn::IfThenElse(better, cost, best_cost);
-      best_position = hn::IfThenElse(better, position, best_position);
-    }
-    hn::Store(best_cost, doubles, bests.cost + lane);
-    hn::Store(best_position, doubles, bests.position + lane);
+  const DoubleV infinity = hn::Set(doubles, std::numeric_limits<double>::infinity());
+  DoubleV least = infinity;
+  for (std::size_t plane = lane; plane < count; plane += axis_lanes) {
+    const DoubleV position = hn::PromoteTo(doubles, hn::Load(narrow, planes.position + plane));
+    const DoubleV left = hn::PromoteTo(doubles, hn::Load(narrow_ints, planes.left + plane));
+    const DoubleV right = hn::PromoteTo(doubles, hn::Load(narrow_ints, planes.right + plane));
+    const DoubleV before = hn::Add(caps, hn::Mul(rim, hn::Sub(position, lo)));
+    const DoubleV behind = hn::Add(caps, hn::Mul(rim, hn::Sub(hi, position)));
+    const DoubleV tests = hn::Add(hn::Mul(left, before), hn::Mul(right, behind));
+    const DoubleV full = hn::Add(traversal, tests);
+    const auto empty = hn::Eq(hn::Min(left, right), hn::Zero(doubles));
+    const DoubleV cost = hn::IfThenElse(empty, hn::Mul(full, empty_factor), full);
+    const auto has_room = hn::And(hn::Le(first, position), hn::Le(position, last));
+    const DoubleV allowed = hn::IfThenElse(has_room, cost, infinity);
+    hn::Store(allowed, doubles, planes.cost + plane);
+    least = hn::Min(least, allowed);
   }
+  return least;
+}
+
+HWY_INLINE DoubleV find_lowest(const AxisPlanes& some, DoubleV cost) {
+  const auto [planes, lane, count] = some;
+  const DoubleV infinity = hn::Set(doubles, std::numeric_limits<double>::infinity());
+  DoubleV lowest = infinity;
+  for (std::size_t plane = lane; plane < count; plane += axis_lanes) {
+    const auto equal = hn::Eq(hn::Load(doubles, planes.cost + plane), cost);
+    const DoubleV position = hn::PromoteTo(doubles, hn::Load(narrow, planes.position + plane));
+    lowest = hn::Min(lowest, hn::IfThenElse(equal, position, infinity));
+  }
+  return lowest;
 }
 
 Split cheapest_plane(const BuildJob& job, std::span<const FewBox> boxes, const Aabb& cell) {
-  const AxisCosts costs = axis_costs(job, cell);
+  AxisCosts costs;
+  find_axis_costs(job, cell, costs);
   const std::size_t count = (2 * boxes.size() + 2) * axis_lanes;
   Planes planes;
   place_planes(boxes, costs, planes.position);
   count_sides(boxes, planes, count);
   AxisBests bests;
-  find_cheapest(job.costs, costs, planes, count, bests);
+  for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
+    const AxisPlanes some{planes, lane, count};
+    const DoubleV least = find_costs(job.costs, costs, some);
+    hn::Store(least, doubles, bests.cost + lane);
+    hn::Store(find_lowest(some, least), doubles, bests.position + lane);
+  }
   int axis = bests.cost[1] < bests.cost[0] ? 1 : 0;
   axis = bests.cost[2] < bests.cost[axis] ? 2 : axis;
   return {

@@ -15,7 +15,8 @@ namespace bspview {
 ///     std::size_t count() const;
 ///     void append_objects(std::vector<std::uint32_t>&) const;    ascending ids
 ///     std::optional<Split> find_split(const Place&) const;
-///     Objects split(const CellSplit&, ScratchStack&);            keeps left, returns right
+///     Objects split(const CellSplit&, ScratchStack&);            keeps the larger side
+///     void release();                                            the objects are needed no more
 ///     FewParts few_parts(ScratchStack&) const;                   optional: of at most
 ///     FewParts::most
 template <class Objects>
@@ -40,6 +41,7 @@ class Recursion {
   struct Child {
     Objects& objects;
     Place place;
+    bool moved = false;  ///< out of the parent's memory
   };
 
   // Bytes after which a branch tells the meter.
@@ -58,11 +60,12 @@ class Recursion {
     if (job_.inner) slot.branch.inner.keep(objects, job_.inner->meter);
 
     const CellSplit split(*wanted, place.cell);
-    Objects right = objects.split(split, slot.branch.scratch);
+    Objects other = objects.split(split, slot.branch.scratch);
+    const bool keeps_left = split.keeps_left();
     const int depth = place.depth + 1;
-    const Child left_child{objects, {split.cells.left, depth}};
-    const Child right_child{right, {split.cells.right, depth}};
-    grow_children(left_child, right_child, add_children(split, slot));
+    const Child left{keeps_left ? objects : other, {split.cells.left, depth}, !keeps_left};
+    const Child right{keeps_left ? other : objects, {split.cells.right, depth}};
+    grow_children(left, right, add_children(split, slot));
   }
 
   /// The split that the rule asks for and the limits allow.
@@ -98,6 +101,7 @@ class Recursion {
     const Slot right_slot{left_slot.branch, left_slot.node + 1};
     if (std::min(left.objects.count(), right.objects.count()) < job_.task_count) {
       grow(left.objects, left.place, left_slot);
+      if (left.moved) left.objects.release();
       grow(right.objects, right.place, right_slot);
       return;
     }

@@ -30,10 +30,14 @@ class ScratchStack {
           first_(static_cast<T*>(stack.take(size * sizeof(T)))) {}
     Array(Array&& other) noexcept
         : stack_(std::exchange(other.stack_, nullptr)), mark_(other.mark_), first_(other.first_) {}
-    ~Array() {
-      if (stack_) stack_->top_ = mark_;
-    }
+    ~Array() { release(); }
     Array& operator=(Array&&) = delete;
+
+    /// As if it died.
+    void release() {
+      if (stack_) stack_->top_ = mark_;
+      stack_ = nullptr;
+    }
 
     T* data() const { return first_; }
     T& operator[](std::size_t i) const { return first_[i]; }

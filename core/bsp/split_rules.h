@@ -17,5 +17,6 @@ GrowTree grow_median_longest;
 GrowTree grow_object_median;  // split_object_median.cpp
 GrowTree grow_mb;             // split_mb.cpp
 GrowTree grow_sah;            // split_sah_sweep.cpp
+GrowTree grow_sah_binned;     // split_sah_binned.cpp
 
 }  // namespace bspview

@@ -26,6 +26,7 @@ class SweptObjects {
   SweptObjects split(const CellSplit& split, ScratchStack& scratch) {
     return SweptObjects(*job_, events_.split(split, scratch));
   }
+  void release() { events_.release(); }
 
  private:
   const BuildJob* job_;

@@ -13,7 +13,7 @@
 namespace bspview {
 
 /// How the split planes are chosen. Sources at the split_<rule>.cpp files.
-enum class Builder { naive, median, median_longest, object_median, mb, sah };
+enum class Builder { naive, median, median_longest, object_median, mb, sah, sah_binned };
 
 /// Names as on the command line, in the order of the enumerators.
 std::span<const std::string_view> builder_names();

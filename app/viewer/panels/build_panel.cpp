@@ -9,6 +9,7 @@
 #include "app/viewer/panels/numbers.h"
 #include "app/viewer/panels/scopes.h"
 #include "app/viewer/panels/widgets.h"
+#include "core/bsp/cut.h"
 #include "core/bsp/traversal.h"
 
 namespace bspview {
@@ -25,10 +26,6 @@ std::size_t object_count(const Results& results) {
   return results.scene ? results.scene->counts.objects : 0;
 }
 
-bool has_costs(Builder builder) {
-  return builder == Builder::mb || builder == Builder::sah;
-}
-
 DisabledScope::When disabled(bool off) {
   return off ? DisabledScope::When::always : DisabledScope::When::never;
 }
@@ -42,7 +39,8 @@ void builder_row(const Ui& ui, BuildParams& params) {
                  "median-longest: mid-point of the longest axis\n"
                  "object-median: as many objects on either side\n"
                  "mb: MacDonald and Booth's search between both medians\n"
-                 "sah: the cheapest of all planes by the surface area heuristic"},
+                 "sah: the cheapest of all planes by the surface area heuristic\n"
+                 "sah-binned: about the cheapest in wide nodes, sooner built"},
                 builder_names(), builder))
     params.builder = static_cast<Builder>(builder);
 }
@@ -86,7 +84,7 @@ void cost_field(const Ui& ui, const Label& label, float& value) {
 }
 
 void cost_rows(const Ui& ui, BuildParams& params) {
-  const DisabledScope scope(disabled(!has_costs(params.builder)));
+  const DisabledScope scope(disabled(!costs_choose_planes(params.builder)));
   begin_row(ui, {"build.costs", "Costs", "Of a node and of a test; only their ratio matters."});
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
   ImGui::SetNextItemWidth(half);

@@ -31,7 +31,6 @@ TEST_F(Usage, WrongUsageEndsWithTwoAndOneSentence) {
       "stats",
       "stats spd:tetra:1 more",
       "stats spd:tetra:1 --builder best",
-      "stats spd:tetra:1 --builder sah-binned",
       "stats spd:tetra:1 --lazy on",
       "stats spd:tetra:1 --max-depth deep",
       "stats spd:tetra:1 --memory-limit lots",

@@ -75,8 +75,6 @@ TEST(TreeOptions, AnAbsurdDepthIsTheLargestOne) {
 }
 
 TEST(TreeOptions, WhatThisVersionDoesNotHaveIsRefusedWithItsSentence) {
-  EXPECT_EQ(parse({"s", "--builder", "sah-binned"}).error,
-            "--builder: this version has no sah-binned; sah makes the same kind of tree");
   EXPECT_EQ(parse({"s", "--lazy", "on"}).error,
             "--lazy: this version always builds the whole tree first");
 }

@@ -5,8 +5,10 @@
 #include "core/bsp/stats.h"
 #include "core/bsp/validate.h"
 #include "core/eval/delta.h"
+#include "core/render/intersect.h"
 #include "core/render/scene_tree.h"
 #include "core/scene/spd.h"
+#include "tests/support/random.h"
 
 namespace bspview {
 namespace {
@@ -18,6 +20,21 @@ Tree build_spd(std::string_view name, const BuildParams& params) {
   EXPECT_TRUE(tree.ok());
   EXPECT_TRUE(validate(*tree, SceneBuildInput(*scene).input()).ok());
   return std::move(*tree);
+}
+
+/// Objects tested by rays all through the scene.
+std::uint64_t count_tests(const Scene& scene, const BuildParams& params) {
+  const auto tree = build_scene_tree(scene, params);
+  EXPECT_TRUE(tree.ok());
+  const Vec3 centre = tree->box.centre(), half = 0.5f * tree->box.extent();
+  test::Random random(1);
+  RayCost cost;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 origin = centre + 2.0f * half * random.point(1.0f);
+    CountObserver count(cost);
+    closest_hit({scene, *tree}, {origin, centre + half * random.point(1.0f) - origin}, {}, count);
+  }
+  return cost.tests;
 }
 
 Delta median_delta(std::string_view name) {
@@ -59,7 +76,32 @@ TEST(BuildGolden, CostDrivenTreesAreCheaperThanTheMedianTree) {
     };
     const double median = cost(Builder::median);
     EXPECT_LT(cost(Builder::sah), median) << name;
+    EXPECT_LT(cost(Builder::sah_binned), median) << name;
     EXPECT_LT(cost(Builder::mb), median) << name;
+  }
+}
+
+TEST(BuildGolden, BinsCostAtMostThreePercent) {
+  for (const std::string_view name : {"gears", "lattice", "mount", "nurbtst", "teapot", "tetra"}) {
+    const auto scene = make_spd(name);
+    ASSERT_TRUE(scene.ok());
+    const auto cost = [&](Builder builder) {
+      return tree_stats(*build_scene_tree(*scene, {.builder = builder})).expected_cost;
+    };
+    EXPECT_LT(cost(Builder::sah_binned), 1.03 * cost(Builder::sah)) << name;
+  }
+}
+
+TEST(BuildGolden, ClippedTreesTestFewerObjectsARay) {
+  for (const std::string_view name : {"gears", "mount", "nurbtst", "rings", "teapot", "tetra"}) {
+    const auto scene = make_spd(name);
+    ASSERT_TRUE(scene.ok());
+    for (const Builder builder : {Builder::sah, Builder::sah_binned}) {
+      const auto tests = [&](bool clip) {
+        return count_tests(*scene, {.builder = builder, .clip = clip});
+      };
+      EXPECT_LE(tests(true), tests(false)) << name << ", " << name_of(builder);
+    }
   }
 }
 

@@ -55,7 +55,7 @@ TEST(BuildLimits, ManyHardObjectsStayWithinTheMemoryLimit) {
   const std::set<std::string> names{"identical", "concentric", "collinear points", "needles"};
   for (const test::HardCase& hard : test::hard_cases(100'000, 3)) {
     if (!names.contains(hard.name)) continue;
-    for (wishes.builder = Builder::median; wishes.builder <= Builder::sah;
+    for (wishes.builder = Builder::median; wishes.builder <= Builder::sah_binned;
          wishes.builder = static_cast<Builder>(static_cast<int>(wishes.builder) + 1)) {
       SCOPED_TRACE(hard.name + ", " + describe(wishes));
       const auto tree = build_tree(hard.set.input(), wishes);

@@ -14,7 +14,7 @@ namespace {
 using test::BoxSet;
 
 constexpr std::array clipping_builders{Builder::median_longest, Builder::object_median, Builder::mb,
-                                       Builder::sah};
+                                       Builder::sah, Builder::sah_binned};
 
 /// The input of `set`, with `on_clip` called before each clipping with the number of those so far.
 template <class OnClip>

@@ -25,7 +25,8 @@ TEST(Build, NamesFollowTheEnumerators) {
   EXPECT_EQ(name_of(Builder::object_median), "object-median");
   EXPECT_EQ(name_of(Builder::mb), "mb");
   EXPECT_EQ(name_of(Builder::sah), "sah");
-  EXPECT_EQ(builder_names().size(), 6u);
+  EXPECT_EQ(name_of(Builder::sah_binned), "sah-binned");
+  EXPECT_EQ(builder_names().size(), 7u);
 }
 
 TEST(Build, NoObjectsMakeOneEmptyLeaf) {
@@ -142,7 +143,8 @@ TEST(Build, TheTreeDoesNotDependOnTheThreads) {
 
 TEST(Build, SplitsThatDivideNothingAreRefused) {
   const BoxSet set(std::vector<Aabb>(100, {Vec3(0.0f), Vec3(1.0f)}));
-  for (const Builder builder : {Builder::object_median, Builder::mb, Builder::sah}) {
+  for (const Builder builder :
+       {Builder::object_median, Builder::mb, Builder::sah, Builder::sah_binned}) {
     const auto tree = build_tree(set.input(), {.builder = builder});
     ASSERT_TRUE(tree.ok());
     EXPECT_LE(tree->references.size(), set.size()) << name_of(builder);

@@ -146,11 +146,12 @@ TEST(EventList, CountsAreClassificationsForBoundsOneFloatApart) {
       if (set.boxes()[i].lo[axis] <= plane) expected_left.push_back(i);
       if (set.boxes()[i].hi[axis] >= plane) expected_right.push_back(i);
     }
-    const EventList right = list.split(CellSplit(split, test.job.box), scratch);
+    const CellSplit cut(split, test.job.box);
+    const EventList other = list.split(cut, scratch);
     ASSERT_EQ(split.left, expected_left.size()) << trial;
     ASSERT_EQ(split.right, expected_right.size()) << trial;
-    ASSERT_EQ(objects_of(list), expected_left) << trial;
-    ASSERT_EQ(objects_of(right), expected_right) << trial;
+    ASSERT_EQ(objects_of(cut.keeps_left() ? list : other), expected_left) << trial;
+    ASSERT_EQ(objects_of(cut.keeps_left() ? other : list), expected_right) << trial;
   }
 }
 
@@ -158,26 +159,26 @@ TEST(EventList, ASplitListIsTheListOfTheParts) {
   const test::BoxSet set = test::random_boxes(3000, 6);
   const TestJob test(set, true);
   ScratchStack scratch;
-  EventList left(test.job, test.parts, scratch);
+  EventList list(test.job, test.parts, scratch);
   Split split{.axis = 1, .position = 0.1f};
   for (const Aabb& box : set.boxes()) {
     split.left += box.lo[1] <= 0.1f;
     split.right += box.hi[1] >= 0.1f;
   }
-  const Cells cells = split_cell(test.job.box, 1, 0.1f);
-  const EventList right = left.split(CellSplit(split, test.job.box), scratch);
-  const auto expect_fresh_list = [&](const EventList& list, const Aabb& cell) {
+  const CellSplit cut(split, test.job.box);
+  const EventList other = list.split(cut, scratch);
+  const auto expect_fresh_list = [&](const EventList& side, const Aabb& cell) {
     std::vector<ObjectPart> parts;
-    for (const std::uint32_t object : objects_of(list)) {
+    for (const std::uint32_t object : objects_of(side)) {
       parts.push_back({intersection(set.boxes()[object], cell), object});
     }
     const EventList fresh(test.job, parts, scratch);
     for (int axis = 0; axis < 3; ++axis) {
-      EXPECT_TRUE(std::ranges::equal(list.events(axis), fresh.events(axis)));
+      EXPECT_TRUE(std::ranges::equal(side.events(axis), fresh.events(axis)));
     }
   };
-  expect_fresh_list(left, cells.left);
-  expect_fresh_list(right, cells.right);
+  expect_fresh_list(cut.keeps_left() ? list : other, cut.cells.left);
+  expect_fresh_list(cut.keeps_left() ? other : list, cut.cells.right);
 }
 
 }  // namespace

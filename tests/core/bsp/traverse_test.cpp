@@ -19,7 +19,8 @@ namespace {
 using test::Random;
 
 constexpr std::array builders{Builder::naive,         Builder::median, Builder::median_longest,
-                              Builder::object_median, Builder::mb,     Builder::sah};
+                              Builder::object_median, Builder::mb,     Builder::sah,
+                              Builder::sah_binned};
 constexpr std::array traversals{Traversal::sung_shirley, Traversal::havran, Traversal::robust};
 
 Tree build(const Scene& scene, Builder builder, int leaf_size = 2) {

@@ -78,7 +78,7 @@ TEST(Render, EveryTreeShowsThePictureOfTheNaiveMethod) {
   const auto flat = build_scene_tree(scene, naive);
   const auto expected = render_image({scene, *flat}, scene.camera, params);
   for (const Builder builder : {Builder::median, Builder::median_longest, Builder::object_median,
-                                Builder::mb, Builder::sah}) {
+                                Builder::mb, Builder::sah, Builder::sah_binned}) {
     BuildParams build;
     build.builder = builder;
     build.max_depth = 12;

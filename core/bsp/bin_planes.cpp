@@ -1,0 +1,127 @@
+// After Shevtsov, Soupikov & Kapustin 2007, "Highly parallel fast kd-tree construction for
+// interactive ray tracing of dynamic scenes": each axis of the cell is cut into bins, which count
+// where boxes begin and where they end, and the planes between bins are priced. The best one then
+// moves to the nearest side of a box where that is cheaper.
+
+#include "core/bsp/bin_planes.h"
+
+#include <array>
+
+#include "core/math/float_error.h"
+
+namespace bspview {
+namespace {
+
+constexpr int bin_count = 32;
+
+/// Sides of boxes, by the bins of the three axes that they lie in.
+class Bins {
+ public:
+  Bins(const BuildJob& job, const Aabb& cell) : job_(job), cell_(cell) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float width = component(cell.hi, axis) - component(cell.lo, axis);
+      const float per_width = bin_count / width;
+      // Where float has no room for bins, all is in the first one.
+      const bool has_bins = std::isfinite(width) && std::isfinite(per_width);
+      lo_[axis] = has_bins ? component(cell.lo, axis) : 0.0f;
+      per_width_[axis] = has_bins ? per_width : 0.0f;
+    }
+  }
+
+  void count(std::span<const ObjectPart> parts) {
+    job_.for_each(parts.size(), light_steps, [&](std::size_t i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        ++starts_[bin(component(parts[i].box.lo, axis), axis)][axis];
+        ++ends_[bin(component(parts[i].box.hi, axis), axis)][axis];
+      }
+    });
+  }
+
+  /// The cheapest plane between two bins of an axis.
+  Split find_cheapest(int axis, std::size_t count) const {
+    Split best{.axis = axis, .cost = std::numeric_limits<double>::infinity()};
+    const PlaneRange range(job_, cell_, axis);
+    const SplitCost cost(job_.costs, cell_, axis);
+    Split split{.axis = axis, .right = static_cast<std::uint32_t>(count)};
+    const double lo = component(cell_.lo, axis);
+    const double step = (component(cell_.hi, axis) - lo) / bin_count;
+    for (int bin = 0; bin < bin_count - 1; ++bin) {
+      split.left += starts_[bin][axis];
+      split.right -= ends_[bin][axis];
+      split.position = static_cast<float>(lo + step * (bin + 1));
+      split.cost = cost(split.position, split.left, split.right);
+      if (split.cost < best.cost && range.holds(split.position)) best = split;
+    }
+    return best;
+  }
+
+ private:
+  int bin(float x, int axis) const {
+    const float place = (x - lo_[axis]) * per_width_[axis];
+    return static_cast<int>(std::clamp(place, 0.0f, bin_count - 1.0f));
+  }
+
+  const BuildJob& job_;
+  const Aabb& cell_;
+  float lo_[3], per_width_[3];
+  std::array<std::array<std::uint32_t, 4>, bin_count> starts_{}, ends_{};
+};
+
+/// What lies around a plane: the nearest sides of boxes, and how many touch it from either side.
+struct Surroundings {
+  float below, above;
+  std::uint32_t left = 0, right = 0;
+  std::uint32_t starts = 0, ends = 0;  ///< in the plane
+};
+
+Surroundings look_around(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell,
+                         const Split& plane) {
+  const float position = plane.position;
+  Surroundings around{component(cell.lo, plane.axis), component(cell.hi, plane.axis)};
+  job.for_each(parts.size(), light_steps, [&](std::size_t i) {
+    const float lo = component(parts[i].box.lo, plane.axis);
+    const float hi = component(parts[i].box.hi, plane.axis);
+    around.left += lo <= position;
+    around.right += hi >= position;
+    around.starts += lo == position;
+    around.ends += hi == position;
+    around.below = std::max(around.below, hi < position ? hi : lo < position ? lo : around.below);
+    around.above = std::min(around.above, lo > position ? lo : hi > position ? hi : around.above);
+  });
+  return around;
+}
+
+/// `plane`, or the nearest side of a box on either side of it where that is cheaper.
+Split move_to_side(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell,
+                   const Split& plane) {
+  const Surroundings around = look_around(job, parts, cell, plane);
+  const float below = next_up(around.below), above = next_down(around.above);
+  const PlaneRange range(job, cell, plane.axis);
+  const SplitCost cost(job.costs, cell, plane.axis);
+  Split best{.axis = plane.axis, .cost = std::numeric_limits<double>::infinity()};
+  const auto try_plane = [&](float position, std::uint32_t left, std::uint32_t right) {
+    const double here = cost(position, left, right);
+    if (range.holds(position) && here < best.cost) best = {plane.axis, position, left, right, here};
+  };
+  try_plane(plane.position, around.left, around.right);
+  if (below < plane.position) try_plane(below, around.left - around.starts, around.right);
+  if (above > plane.position) try_plane(above, around.left, around.right - around.ends);
+  return best;
+}
+
+}  // namespace
+
+Split cheapest_of_bins(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell) {
+  Bins bins(job, cell);
+  bins.count(parts);
+  Split best{.cost = std::numeric_limits<double>::infinity()};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Split plane = bins.find_cheapest(axis, parts.size());
+    if (!std::isfinite(plane.cost)) continue;
+    const Split moved = move_to_side(job, parts, cell, plane);
+    if (moved.cost < best.cost) best = moved;
+  }
+  return best;
+}
+
+}  // namespace bspview
