@@ -1,5 +1,7 @@
 #include "core/bsp/stats.h"
 
+#include <utility>
+
 #include "core/bsp/cost.h"
 
 namespace bspview {
@@ -29,13 +31,39 @@ void add_leaf(TreeStats& stats, const NodeInCell& place, std::uint32_t objects) 
   }
 }
 
+/// visit_nodes for a visitor that can be inlined.
+template <class Visit>
+class Walk {
+ public:
+  Walk(const Tree& tree, const Visit& visit) : tree_(tree), visit_(visit), cell_(tree.box) {
+    if (!tree.nodes.empty()) descend(0, 0);
+  }
+
+ private:
+  void descend(std::uint32_t index, int depth) {
+    const Node& node = tree_.nodes[index];
+    if (!visit_(index, cell_, depth) || node.is_leaf()) return;
+    const int axis = node.axis();
+    const float hi = std::exchange(cell_.hi[axis], node.split());
+    descend(node.left(), depth + 1);
+    cell_.hi[axis] = hi;
+    const float lo = std::exchange(cell_.lo[axis], node.split());
+    descend(node.right(), depth + 1);
+    cell_.lo[axis] = lo;
+  }
+
+  const Tree& tree_;
+  const Visit& visit_;
+  Aabb cell_;
+};
+
 }  // namespace
 
 TreeStats tree_stats(const Tree& tree) {
   const CostModel costs = cost_model(tree.params);
   TreeStats stats;
   stats.volume = tree.box.empty() ? 0.0 : volume(tree.box);
-  visit_nodes(tree, [&](std::uint32_t index, const Aabb& cell, int depth) {
+  Walk(tree, [&](std::uint32_t index, const Aabb& cell, int depth) {
     const Node& node = tree.nodes[index];
     const double probability = crossing_probability(cell, tree.box);
     ++stats.nodes;
@@ -52,17 +80,7 @@ TreeStats tree_stats(const Tree& tree) {
 }
 
 void visit_nodes(const Tree& tree, const NodeVisitor& visit) {
-  if (tree.nodes.empty()) return;
-  std::vector<NodeInCell> open{{0, tree.box, 0}};
-  while (!open.empty()) {
-    const NodeInCell place = open.back();
-    open.pop_back();
-    const Node& node = tree.nodes[place.node];
-    if (!visit(place.node, place.cell, place.depth) || node.is_leaf()) continue;
-    const Cells cells = split_cell(place.cell, node.axis(), node.split());
-    open.push_back({node.right(), cells.right, place.depth + 1});
-    open.push_back({node.left(), cells.left, place.depth + 1});
-  }
+  Walk(tree, visit);
 }
 
 std::uint32_t find_leaf(const Tree& tree, Vec3 point) {
