@@ -6,7 +6,9 @@
 #include "core/bsp/bin_planes.h"
 
 #include <array>
+#include <vector>
 
+#include "core/base/parallel.h"
 #include "core/math/float_error.h"
 
 namespace bspview {
@@ -35,6 +37,15 @@ class Bins {
         ++ends_[bin(component(parts[i].box.hi, axis), axis)][axis];
       }
     });
+  }
+
+  void add(const Bins& other) {
+    for (int bin = 0; bin < bin_count; ++bin) {
+      for (int axis = 0; axis < 3; ++axis) {
+        starts_[bin][axis] += other.starts_[bin][axis];
+        ends_[bin][axis] += other.ends_[bin][axis];
+      }
+    }
   }
 
   /// The cheapest plane between two bins of an axis.
@@ -66,6 +77,26 @@ class Bins {
   float lo_[3], per_width_[3];
   std::array<std::array<std::uint32_t, 4>, bin_count> starts_{}, ends_{};
 };
+
+/// Counts a wide node in pieces, at the same time.
+Bins fill_bins(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell) {
+  constexpr std::size_t worth_a_task = 2048, most_pieces = 64;
+  const std::size_t pieces = std::clamp(parts.size() / worth_a_task, std::size_t{1}, most_pieces);
+  const std::size_t length = (parts.size() + pieces - 1) / pieces;
+  Bins whole(job, cell);
+  if (pieces == 1) {
+    whole.count(parts);
+    return whole;
+  }
+  std::vector<Bins> bins(pieces, whole);
+  parallel_for(static_cast<int>(pieces), [&](int i) {
+    const std::size_t first = static_cast<std::size_t>(i) * length;
+    bins[static_cast<std::size_t>(i)].count(
+        parts.subspan(first, std::min(length, parts.size() - first)));
+  });
+  for (const Bins& piece : bins) whole.add(piece);
+  return whole;
+}
 
 /// What lies around a plane: the nearest sides of boxes, and how many touch it from either side.
 struct Surroundings {
@@ -112,16 +143,13 @@ Split move_to_side(const BuildJob& job, std::span<const ObjectPart> parts, const
 }  // namespace
 
 Split cheapest_of_bins(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell) {
-  Bins bins(job, cell);
-  bins.count(parts);
-  Split best{.cost = std::numeric_limits<double>::infinity()};
-  for (int axis = 0; axis < 3; ++axis) {
+  const Bins bins = fill_bins(job, parts, cell);
+  std::array<Split, 3> splits;
+  for_each_axis(parts.size(), [&](int axis) {
     const Split plane = bins.find_cheapest(axis, parts.size());
-    if (!std::isfinite(plane.cost)) continue;
-    const Split moved = move_to_side(job, parts, cell, plane);
-    if (moved.cost < best.cost) best = moved;
-  }
-  return best;
+    splits[axis] = std::isfinite(plane.cost) ? move_to_side(job, parts, cell, plane) : plane;
+  });
+  return *std::ranges::min_element(splits, {}, &Split::cost);
 }
 
 }  // namespace bspview

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/base/parallel.h"
 #include "core/bsp/build.h"
 #include "core/bsp/cost.h"
 #include "core/bsp/memory_limit.h"
@@ -49,6 +50,14 @@ struct BuildJob {
     }
   }
 };
+
+/// Runs body(0), body(1) and body(2), at the same time when a node has many objects.
+template <class Body>
+void for_each_axis(std::size_t objects, const Body& body) {
+  constexpr std::size_t worth_three_tasks = 4096;
+  if (objects >= worth_three_tasks) return parallel_for(3, body);
+  for (int axis = 0; axis < 3; ++axis) body(axis);
+}
 
 /// The part of an object that lies in a node, by its box.
 struct ObjectPart {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/parallel.h"
 #include "core/bsp/clip_part.h"
 #include "core/bsp/event_sort.h"
 

@@ -3,21 +3,12 @@
 #include <span>
 #include <vector>
 
-#include "core/base/parallel.h"
 #include "core/bsp/build_job.h"
 #include "core/bsp/event.h"
 #include "core/bsp/few_parts.h"
 #include "core/bsp/scratch_stack.h"
 
 namespace bspview {
-
-/// Runs body(0), body(1) and body(2), at the same time when a node has many objects.
-template <class Body>
-void for_each_axis(std::size_t objects, const Body& body) {
-  constexpr std::size_t worth_three_tasks = 4096;
-  if (objects >= worth_three_tasks) return parallel_for(3, body);
-  for (int axis = 0; axis < 3; ++axis) body(axis);
-}
 
 /// The objects of a node as three lists of events, one an axis, sorted once for the whole tree:
 /// dividing them keeps their order, and only clipped parts make new ones.
