@@ -9,6 +9,7 @@
 #include "core/base/timer.h"
 #include "core/eval/cast.h"
 #include "core/eval/lambda.h"
+#include "core/render/accelerator.h"
 
 namespace bspview {
 namespace {
@@ -57,12 +58,12 @@ TimedResults cast_repeatedly(const World& world, std::span<const Ray> rays,
   return timed;
 }
 
-void print_rate(std::size_t rays, const std::vector<double>& seconds, const CastParams& params) {
+void print_rate(std::size_t rays, std::span<const double> seconds, const std::string& kernel) {
   std::vector<double> rates;  // Mrays/s
   for (const double s : seconds) rates.push_back(static_cast<double>(rays) / 1e6 / s);
   const Measured rate = summarise(std::move(rates));
   fmt::print(stderr, "median {:.3f} Mrays/s of {} repeat{}, spread {:.3f}, {}\n", rate.median,
-             rate.repeats, rate.repeats == 1 ? "" : "s", rate.spread, cast_kernel(params));
+             rate.repeats, rate.repeats == 1 ? "" : "s", rate.spread, kernel);
 }
 
 Result<void> run_cast(const CastOptions& options) {
@@ -72,11 +73,14 @@ Result<void> run_cast(const CastOptions& options) {
   const Result<SceneAndTree> built = load_and_build(options.tree);
   if (!built) return built.error();
 
-  const TimedResults timed = cast_repeatedly({built->scene, built->tree}, *rays, options);
+  const FastWorld fast({built->scene, built->tree});
+  const TimedResults timed = cast_repeatedly(fast.world(), *rays, options);
   const auto written = write_output(options.output, options.any ? format_occlusion(timed.results)
                                                                 : format_results(timed.results));
   if (!written) return written;
-  if (options.repeats > 0) print_rate(rays->size(), timed.seconds, cast_params(options));
+  if (options.repeats > 0) {
+    print_rate(rays->size(), timed.seconds, cast_kernel(fast.world(), cast_params(options)));
+  }
   return {};
 }
 

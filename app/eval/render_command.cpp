@@ -10,6 +10,7 @@
 #include "app/options/values.h"
 #include "core/base/timer.h"
 #include "core/eval/report.h"
+#include "core/render/accelerator.h"
 #include "core/render/heatmap.h"
 #include "core/render/image_io.h"
 #include "core/scene/load.h"
@@ -109,7 +110,8 @@ Result<void> run_reference(const RenderOptions& options) {
 
 /// Makes the picture, saves it unless a heat map takes its place, then measures.
 Result<Report> picture_report(const SceneAndTree& built, const RenderOptions& options) {
-  const World world{built.scene, built.tree};
+  const FastWorld fast({built.scene, built.tree});
+  const World& world = fast.world();
   const Camera& camera = built.scene.camera;
   const RenderParams params = picture_params(options, camera);
   const LambdaParams repeats = lambda_params(options);

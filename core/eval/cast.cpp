@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
-#include "core/render/packet.h"
+#include "core/render/hits.h"
 
 namespace bspview {
 namespace {
@@ -49,7 +49,7 @@ std::vector<RayResult> cast_rays(const World& world, std::span<const Ray> rays,
   const auto cast_chunk = [&](int chunk) {
     const std::size_t first = static_cast<std::size_t>(chunk) * rays_a_chunk;
     const std::size_t end = std::min(first + rays_a_chunk, rays.size());
-    if (params.traversal == Traversal::robust) {
+    if (world.accelerator != nullptr && params.traversal == Traversal::robust) {
       const auto part = std::span(results).subspan(first, end - first);
       cast_packets(world, rays.subspan(first, end - first), params.query, part);
     } else {
@@ -62,8 +62,10 @@ std::vector<RayResult> cast_rays(const World& world, std::span<const Ray> rays,
   return results;
 }
 
-std::string cast_kernel(const CastParams& params) {
-  if (params.traversal != Traversal::robust) return "one ray at a time";
+std::string cast_kernel(const World& world, const CastParams& params) {
+  if (world.accelerator == nullptr || params.traversal != Traversal::robust) {
+    return "one ray at a time";
+  }
   return fmt::format("up to {} rays at a time ({})", packet_width(), packet_instructions());
 }
 

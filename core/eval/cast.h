@@ -20,14 +20,14 @@ struct CastParams {
 };
 
 /// Traces the rays; one result a ray, in their order. For Query::any, t is 0 for every
-/// hit. The robust traversal takes neighbours that run the same way together
-/// (core/render/packet.h). `progress`, when set, is told how many more rays are done, from several
+/// hit. With an accelerator, the robust traversal takes neighbours that run the same way together
+/// (core/render/hits.h). `progress`, when set, is told how many more rays are done, from several
 /// threads.
 std::vector<RayResult> cast_rays(const World& world, std::span<const Ray> rays,
                                  const CastParams& params,
                                  const std::function<void(std::size_t)>& progress = {});
 
 /// How cast_rays traces, for people.
-std::string cast_kernel(const CastParams& params);
+std::string cast_kernel(const World& world, const CastParams& params);
 
 }  // namespace bspview

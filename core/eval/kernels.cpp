@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/render/packet.h"
+#include "core/render/accelerator.h"
+#include "core/render/hits.h"
 #include "core/render/textbook_shapes.h"
 
 namespace bspview {
@@ -99,26 +100,47 @@ Kernel make_kernel(const KernelChoice& choice) {
   return kernel;
 }
 
+Kernel make_fast_kernel() {
+  Kernel kernel;
+  kernel.name = "bspview";
+  kernel.what = fmt::format("the default: exact, wide tree, one ray ({})", packet_instructions());
+  kernel.closest = [](const World& world) -> Kernel::Closest {
+    return [fast = FastWorld(world)](std::span<const Ray> rays, std::span<RayResult> results) {
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Hit hit = fast_closest_hit(fast.world(), rays[i], SideRule::two_sided);
+        results[i] = {hit.object, hit.t};
+      }
+    };
+  };
+  kernel.occluded = [](const World& world) -> Kernel::Occluded {
+    return [fast = FastWorld(world)](std::span<const Ray> rays, std::span<char> results) {
+      for (std::size_t i = 0; i < rays.size(); ++i) {
+        results[i] = fast_any_hit(fast.world(), rays[i], SideRule::two_sided) != no_index;
+      }
+    };
+  };
+  return kernel;
+}
+
 Kernel make_packet_kernel() {
   Kernel kernel;
   kernel.name = "bspview packets";
-  kernel.what = fmt::format("the default's answers, {} rays at a time ({})", packet_width(),
-                            packet_instructions());
+  kernel.what = fmt::format("the same, {} rays at a time", packet_width());
   kernel.closest = [](const World& world) -> Kernel::Closest {
-    return [=](std::span<const Ray> rays, std::span<RayResult> results) {
+    return [fast = FastWorld(world)](std::span<const Ray> rays, std::span<RayResult> results) {
       thread_local std::vector<Hit> hits;
       hits.resize(rays.size());
-      closest_hits(world, rays, SideRule::two_sided, hits);
+      closest_hits(fast.world(), rays, SideRule::two_sided, hits);
       std::ranges::transform(hits, results.begin(), [](const Hit& hit) {
         return RayResult{hit.object, hit.t};
       });
     };
   };
   kernel.occluded = [](const World& world) -> Kernel::Occluded {
-    return [=](std::span<const Ray> rays, std::span<char> results) {
+    return [fast = FastWorld(world)](std::span<const Ray> rays, std::span<char> results) {
       thread_local std::vector<std::uint32_t> objects;
       objects.resize(rays.size());
-      any_hits(world, rays, SideRule::two_sided, objects);
+      any_hits(fast.world(), rays, SideRule::two_sided, objects);
       std::ranges::transform(objects, results.begin(),
                              [](std::uint32_t object) { return object != no_index; });
     };

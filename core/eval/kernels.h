@@ -31,7 +31,9 @@ struct KernelChoice {
 /// The kernel of a choice. It sees both sides of everything, on the calling thread.
 Kernel make_kernel(const KernelChoice& choice);
 
-/// closest_hits and any_hits of core/render/packet.h.
+// The answers of the default choice by the wide tree, see core/render/hits.h: one ray, and several
+// at a time.
+Kernel make_fast_kernel();
 Kernel make_packet_kernel();
 
 }  // namespace bspview

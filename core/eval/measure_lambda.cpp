@@ -6,6 +6,7 @@
 
 #include "core/base/timer.h"
 #include "core/eval/lambda.h"
+#include "core/render/accelerator.h"
 #include "core/render/record.h"
 #include "core/render/scene_tree.h"
 
@@ -13,7 +14,7 @@ namespace bspview {
 namespace {
 
 template <class Work>
-double seconds_of(const Work& work) {
+double seconds_for(const Work& work) {
   const Timer timer;
   work();
   return timer.seconds();
@@ -26,22 +27,22 @@ class Experiment {
       : world_(world), camera_(camera), patience_(patience), watch_(watch) {}
 
   std::vector<double> builds(int repeats) {
-    std::vector<double> seconds{world_.tree.build_seconds};
+    std::vector<double> seconds{world_.tree.build_seconds + seconds_of(world_.accelerator)};
     for (int i = 1; i < repeats && !watch_.stopped(); ++i) {
       const Result<Tree> tree = build_scene_tree(world_.scene, world_.tree.params, watch_.stop);
-      if (tree) seconds.push_back(tree->build_seconds);
+      if (tree) seconds.push_back(tree->build_seconds + accelerator_seconds(*tree));
       watch_.advance(1.0);
     }
     return seconds;
   }
 
   double render(const RenderParams& params) {
-    return seconds_of([&] { (void)render_image(world_, camera_, params, watch_).ok(); });
+    return seconds_for([&] { (void)render_image(world_, camera_, params, watch_).ok(); });
   }
 
   double replay_seconds(const RenderParams& params, std::span<const RecordedRay> rays,
                         Replay what) const {
-    return seconds_of([&] { replay(world_, params, rays, what, watch_.stop); });
+    return seconds_for([&] { replay(world_, params, rays, what, watch_.stop); });
   }
 
   /// T_TR and T_TT / T_TR of each repeat.
@@ -64,6 +65,15 @@ class Experiment {
   }
 
  private:
+  static double seconds_of(const Accelerator* accelerator) {
+    return accelerator == nullptr ? 0.0 : accelerator->build_seconds();
+  }
+  /// Of making one for `tree`, where the world has one.
+  double accelerator_seconds(const Tree& tree) const {
+    if (world_.accelerator == nullptr) return 0.0;
+    return seconds_of(make_accelerator({world_.scene, tree}).get());
+  }
+
   const World& world_;
   const Camera& camera_;
   const double patience_;

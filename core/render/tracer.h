@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/render/hits.h"
 #include "core/render/ray_counts.h"
 #include "core/render/render.h"
 #include "core/render/trace.h"
@@ -14,12 +15,15 @@ namespace bspview {
 /// Keeps nothing: the timed path.
 class PlainTracer {
  public:
-  PlainTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  PlainTracer(const World& world, const TraceRules& rules)
+      : world_(world), rules_(rules), is_fast_(bspview::is_fast(world, rules)) {}
   Hit closest(const Ray& ray, RayKind, int) {
+    if (is_fast_) return fast_closest_hit(world_, ray, rules_.sides);
     NoObserver none;
     return trace_closest(world_, ray, rules_, none);
   }
   bool occluded(const Ray& ray, int) {
+    if (is_fast_) return fast_any_hit(world_, ray, rules_.shadow_sides) != no_index;
     NoObserver none;
     return trace_any(world_, ray, rules_, none) != no_index;
   }
@@ -27,6 +31,7 @@ class PlainTracer {
  private:
   World world_;
   TraceRules rules_;
+  bool is_fast_;
 };
 
 /// Counts rays, visits and tests.
@@ -63,7 +68,7 @@ class CountTracer {
 /// A ray of a picture and how far it walked.
 struct RecordedRay {
   Ray ray;
-  std::uint32_t leaves = 0;  ///< leaf visits until the walk ended
+  std::uint32_t leaves = 0;  ///< of the binary or the wide tree, visited until the walk ended
   RayKind kind = RayKind::primary;
 };
 
@@ -75,19 +80,24 @@ class RecordTracer {
     RayCost cost;
     CountObserver count(cost);
     const Hit hit = trace_closest(world_, ray, rules_, count);
-    rays_.push_back({ray, static_cast<std::uint32_t>(cost.leaves), kind});
+    rays_.push_back({ray, leaves_of(ray, cost, false), kind});
     return hit;
   }
   bool occluded(const Ray& ray, int) {
     RayCost cost;
     CountObserver count(cost);
     const bool hit = trace_any(world_, ray, rules_, count) != no_index;
-    rays_.push_back({ray, static_cast<std::uint32_t>(cost.leaves), RayKind::shadow});
+    rays_.push_back({ray, leaves_of(ray, cost, true), RayKind::shadow});
     return hit;
   }
   std::vector<RecordedRay>& rays() { return rays_; }
 
  private:
+  std::uint32_t leaves_of(const Ray& ray, const RayCost& cost, bool any) const {
+    if (is_fast(world_, rules_)) return count_leaves(world_, ray, rules_, any);
+    return static_cast<std::uint32_t>(cost.leaves);
+  }
+
   World world_;
   TraceRules rules_;
   std::vector<RecordedRay> rays_;

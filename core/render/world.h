@@ -5,10 +5,13 @@
 
 namespace bspview {
 
-/// What rays are traced against. Both outlive every call.
+class Accelerator;
+
+/// What rays are traced against. Everything outlives every call.
 struct World {
   const Scene& scene;
   const Tree& tree;
+  const Accelerator* accelerator = nullptr;  ///< of both; null: rays go through the binary tree
 };
 
 }  // namespace bspview

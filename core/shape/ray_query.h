@@ -62,7 +62,8 @@ struct RayQuery {
  private:
   void find_shear() {
     const Vec3 sizes = glm::abs(direction);
-    kz = sizes.x > sizes.y ? (sizes.x > sizes.z ? 0 : 2) : (sizes.y > sizes.z ? 1 : 2);
+    kz = sizes.x > sizes.y ? 0 : 1;
+    kz = std::max(sizes.x, sizes.y) > sizes.z ? kz : 2;
     kx = kz == 2 ? 0 : kz + 1;
     ky = kx == 2 ? 0 : kx + 1;
     turned = {component(origin, kx), component(origin, ky), component(origin, kz)};

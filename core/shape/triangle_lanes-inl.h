@@ -47,6 +47,14 @@ HWY_INLINE unsigned bits_of(Tag tag, hn::Mask<Tag> mask) {
   return bytes[0] | bytes[1] << 8;
 }
 
+/// The lanes of a set, as bits_of answers it.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, unsigned lanes) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(lanes),
+                                 static_cast<std::uint8_t>(lanes >> 8)};
+  return hn::LoadMaskBits(tag, bytes);
+}
+
 /// Lanes by what the signs of the edge functions say.
 struct Insides {
   unsigned sure;  ///< surely inside

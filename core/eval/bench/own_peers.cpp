@@ -71,8 +71,9 @@ std::vector<Peer> own_peers() {
   Peer naive = scalar("naive", "the default's tests on every object", {});
   naive.builder = Builder::naive;
   return {
-      scalar("bspview", "the default: exact faces, robust traversal", {}),
+      peer_of(make_fast_kernel(), Peer::Answers::robust, Peer::Width::one),
       peer_of(make_packet_kernel(), Peer::Answers::robust, Peer::Width::many),
+      scalar("bspview binary", "the same answers by the binary tree that Delta counts", {}),
       scalar("bspview float", "Moeller-Trumbore in float, robust traversal",
              in_float(Traversal::robust)),
       scalar("bspview float havran", "Moeller-Trumbore in float, Havran's traversal TA-B",

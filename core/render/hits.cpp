@@ -1,0 +1,175 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/render/hits.cpp"
+#include <hwy/foreach_target.h>  // before highway.h
+//
+#include <hwy/highway.h>
+
+#include "core/render/hits.h"
+#include "core/render/packet-inl.h"
+#include "core/render/single_ray-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace bspview::HWY_NAMESPACE {
+namespace {
+
+template <bool any>
+Hit find_in_binary_tree(const World& world, const Ray& ray, SideRule rule) {
+  NoObserver none;
+  const TraceRules rules{.sides = rule, .shadow_sides = rule};
+  if (any) return {0.0, any_hit(world, ray, rules, none), no_leaf};
+  Hit hit = closest_hit(world, ray, rules, none);
+  hit.leaf = no_leaf;
+  return hit;
+}
+
+template <bool any>
+HWY_INLINE Hit find_alone(const World& world, const Ray& ray, SideRule rule) {
+  if (world.accelerator == nullptr || !is_plain(ray)) {
+    return find_in_binary_tree<any>(world, ray, rule);
+  }
+  return SingleRay<any>(world, ray, rule).trace(ray, [] {});
+}
+
+/// Fewer rays than this are faster one by one.
+constexpr int fewest_together = 3;
+
+/// Traces up to lane_count() rays; found(i, hit) takes the answers.
+template <bool any, class Found>
+void trace_some(Packet& packet, const World& world, std::span<const Ray> rays, SideRule rule,
+                const Found& found) {
+  unsigned together = packet.load_rays(rays);
+  for (unsigned open = together; open != 0;) {
+    const Packet::Class next = packet.class_among(open);
+    open &= ~next.lanes;
+    if (hwy::PopCount(next.lanes) < fewest_together) {
+      together &= ~next.lanes;
+    } else {
+      packet.trace<any>(next);
+    }
+  }
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const bool is_done = together >> i & 1u;
+    found(i, is_done ? packet.best(static_cast<int>(i)) : find_alone<any>(world, rays[i], rule));
+  }
+}
+
+template <bool any, class Found>
+void trace_all(const World& world, std::span<const Ray> rays, SideRule rule, const Found& found) {
+  if (world.accelerator == nullptr) {
+    for (std::size_t i = 0; i < rays.size(); ++i) found(i, find_alone<any>(world, rays[i], rule));
+    return;
+  }
+  Packet packet(world, rule);
+  const auto width = static_cast<std::size_t>(lane_count());
+  for (std::size_t first = 0; first < rays.size(); first += width) {
+    const auto some = rays.subspan(first, std::min(width, rays.size() - first));
+    trace_some<any>(packet, world, some, rule,
+                    [&](std::size_t i, const Hit& hit) { found(first + i, hit); });
+  }
+}
+
+Hit fast_closest_hit_here(const World& world, const Ray& ray, SideRule rule) {
+  return find_alone<false>(world, ray, rule);
+}
+
+std::uint32_t fast_any_hit_here(const World& world, const Ray& ray, SideRule rule) {
+  return find_alone<true>(world, ray, rule).object;
+}
+
+std::uint32_t count_leaves_here(const World& world, const Ray& ray, const TraceRules& rules,
+                                bool any) {
+  std::uint32_t leaves = 0;
+  if (!is_plain(ray)) return leaves;
+  const auto visit = [&] { ++leaves; };
+  if (any) {
+    SingleRay<true>(world, ray, rules.shadow_sides).trace(ray, visit);
+  } else {
+    SingleRay<false>(world, ray, rules.sides).trace(ray, visit);
+  }
+  return leaves;
+}
+
+std::uint32_t walk_leaves_here(const World& world, const Ray& ray, std::uint32_t leaves) {
+  if (!is_plain(ray)) return no_leaf;
+  const RayQuery query = ExactShapes::query(world, ray);
+  const WideRay wide(ray);
+  std::uint32_t last = query.size > 0.0f && wide.t_min >= 0.0f ? 0 : no_leaf;
+  if (leaves == 0) return last;
+  float reach = ray.t_max;
+  traverse_wide(world.accelerator->tree(), wide, reach, [&](std::uint32_t child) {
+    last = child;
+    if (--leaves == 0) reach = -1.0f;
+  });
+  return last;
+}
+
+void closest_hits_here(const World& world, std::span<const Ray> rays, SideRule rule,
+                       std::span<Hit> hits) {
+  trace_all<false>(world, rays, rule, [&](std::size_t i, const Hit& hit) { hits[i] = hit; });
+}
+
+void any_hits_here(const World& world, std::span<const Ray> rays, SideRule rule,
+                   std::span<std::uint32_t> objects) {
+  trace_all<true>(world, rays, rule,
+                  [&](std::size_t i, const Hit& hit) { objects[i] = hit.object; });
+}
+
+int width_here() {
+  return lane_count();
+}
+const char* instructions_here() {
+  return hwy::TargetName(HWY_TARGET);
+}
+
+}  // namespace
+}  // namespace bspview::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace bspview {
+
+HWY_EXPORT(fast_closest_hit_here);
+HWY_EXPORT(fast_any_hit_here);
+HWY_EXPORT(count_leaves_here);
+HWY_EXPORT(walk_leaves_here);
+HWY_EXPORT(closest_hits_here);
+HWY_EXPORT(any_hits_here);
+HWY_EXPORT(width_here);
+HWY_EXPORT(instructions_here);
+
+Hit fast_closest_hit(const World& world, const Ray& ray, SideRule rule) {
+  return HWY_DYNAMIC_DISPATCH(fast_closest_hit_here)(world, ray, rule);
+}
+
+std::uint32_t fast_any_hit(const World& world, const Ray& ray, SideRule rule) {
+  return HWY_DYNAMIC_DISPATCH(fast_any_hit_here)(world, ray, rule);
+}
+
+std::uint32_t count_leaves(const World& world, const Ray& ray, const TraceRules& rules, bool any) {
+  return HWY_DYNAMIC_DISPATCH(count_leaves_here)(world, ray, rules, any);
+}
+
+std::uint32_t walk_leaves(const World& world, const Ray& ray, std::uint32_t leaves) {
+  return HWY_DYNAMIC_DISPATCH(walk_leaves_here)(world, ray, leaves);
+}
+
+void closest_hits(const World& world, std::span<const Ray> rays, SideRule rule,
+                  std::span<Hit> hits) {
+  HWY_DYNAMIC_DISPATCH(closest_hits_here)(world, rays, rule, hits);
+}
+
+void any_hits(const World& world, std::span<const Ray> rays, SideRule rule,
+              std::span<std::uint32_t> objects) {
+  HWY_DYNAMIC_DISPATCH(any_hits_here)(world, rays, rule, objects);
+}
+
+int packet_width() {
+  return HWY_DYNAMIC_DISPATCH(width_here)();
+}
+
+const char* packet_instructions() {
+  return HWY_DYNAMIC_DISPATCH(instructions_here)();
+}
+
+}  // namespace bspview
+#endif

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+
+#include "core/render/intersect.h"
+
+namespace bspview {
+
+// Hits by the robust walk and exact arithmetic, with the vector instructions of the processor the
+// program runs on (Highway). Each answer is that of closest_hit and any_hit, bit for bit, but for
+// the leaf, which stays no_leaf, and for which of several objects any_hit finds. Rays of a world
+// without an accelerator, and rays that are none, go through the binary tree one by one.
+
+/// Nearest hit of a ray.
+Hit fast_closest_hit(const World& world, const Ray& ray, SideRule rule);
+
+/// Whether a ray hits anything in its interval: some object, or no_index.
+std::uint32_t fast_any_hit(const World& world, const Ray& ray, SideRule rule);
+
+/// The same for many rays, several at a time where neighbours in `rays` run the same way (eye rays
+/// of neighbouring pixels, shadow rays towards one light). The spans are equally long.
+void closest_hits(const World& world, std::span<const Ray> rays, SideRule rule,
+                  std::span<Hit> hits);
+void any_hits(const World& world, std::span<const Ray> rays, SideRule rule,
+              std::span<std::uint32_t> objects);
+
+/// Whether these functions answer for `rules`: the world has an accelerator, and neither another
+/// walk nor another arithmetic is asked for.
+inline bool is_fast(const World& world, const TraceRules& rules) {
+  return world.accelerator != nullptr && rules.traversal == Traversal::robust &&
+         rules.arithmetic == Arithmetic::exact;
+}
+
+// The walk alone, to measure it by (record.h). Both need an accelerator.
+
+/// How many leaves fast_closest_hit, or fast_any_hit, visits; 0 for a ray that is none.
+std::uint32_t count_leaves(const World& world, const Ray& ray, const TraceRules& rules, bool any);
+
+/// Walks to so many leaves without object tests; 0: makes ready, no more. Answers the last one.
+std::uint32_t walk_leaves(const World& world, const Ray& ray, std::uint32_t leaves);
+
+/// Rays at a time, and the instruction set.
+int packet_width();
+const char* packet_instructions();
+
+}  // namespace bspview
