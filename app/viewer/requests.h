@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,13 @@ struct BuiltTree {
   NodeCells cells;  // of `tree`
 
   World world() const { return {request.scene->scene, tree}; }
+  /// With an accelerator, which the first call makes: pictures need it, slider moves do not. Where
+  /// that is stopped, or memory is short, without.
+  World fast_world(std::stop_token stop) const;
+
+ private:
+  mutable std::mutex accelerating_;
+  mutable std::shared_ptr<const Accelerator> accelerator_;
 };
 
 struct PictureRequest {

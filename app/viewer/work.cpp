@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/render/accelerator.h"
 #include "core/render/scene_tree.h"
 #include "core/scene/load.h"
 
@@ -19,6 +20,12 @@ BuiltTree::BuiltTree(const TreeRequest& of, std::shared_ptr<const Tree> made, Or
       origin(from),
       stats(tree_stats(tree)),
       cells(tree) {}
+
+World BuiltTree::fast_world(std::stop_token stop) const {
+  const std::lock_guard lock(accelerating_);
+  if (!accelerator_) accelerator_ = make_accelerator(world(), stop);
+  return {request.scene->scene, tree, accelerator_.get()};
+}
 
 Result<void> open_scene(const SceneRequest& request, std::stop_token,
                         const Publish<LoadedScene>& publish) {
@@ -67,7 +74,7 @@ Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
   LambdaParams repeats;
   repeats.patience = measuring_patience;
   Result<Lambda> lambda =
-      measure_lambda(request.tree->world(), request.camera, request.params, repeats, stop);
+      measure_lambda(request.tree->fast_world(stop), request.camera, request.params, repeats, stop);
   if (!lambda) return lambda.error();
   if (request.tree->origin == BuiltTree::Origin::cut) {
     const TreeRequest& of = request.tree->request;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <utility>
 
 namespace bspview {
 namespace {
@@ -40,16 +40,22 @@ class FewObjects {
 
 class Widener {
  public:
-  Widener(const Tree& tree, std::span<const Aabb> boxes, const WideLeaves& leaves)
-      : tree_(tree), boxes_(boxes), leaves_(leaves), parts_(tree.nodes.size()) {}
+  Widener(const Tree& tree, std::span<const Aabb> boxes, const WideLeaves& leaves,
+          std::stop_token stop)
+      : tree_(tree),
+        boxes_(boxes),
+        leaves_(leaves),
+        stop_(std::move(stop)),
+        parts_(tree.nodes.size()) {}
 
-  WideTree make() {
+  std::optional<WideTree> make() {
     look_at(0, tree_.box);
     if (is_leaf(0)) {
       make_node(parts_[0].box.empty() ? Slots{} : Slots{0});
     } else {
       make_node(slots_below(0));
     }
+    if (stop_.stop_requested()) return {};
     return std::move(wide_);
   }
 
@@ -68,6 +74,7 @@ class Widener {
   /// Fills parts_ for a node and everything below.
   FewObjects look_at(std::uint32_t index, const Aabb& cell) {
     const Node& node = tree_.nodes[index];
+    if (stop_.stop_requested()) return {};
     if (node.is_leaf()) return look_at_leaf(index, cell);
     const Cells cells = split_cell(cell, node.axis(), node.split());
     FewObjects objects = look_at(node.left(), cells.left);
@@ -124,6 +131,7 @@ class Widener {
 
   std::uint32_t make_node(const Slots& slots) {
     const auto index = static_cast<std::uint32_t>(wide_.nodes.size());
+    if (stop_.stop_requested()) return index;
     wide_.nodes.emplace_back();
     WideNode node{};
     for (int slot = 0; slot < WideNode::width; ++slot) {
@@ -163,6 +171,7 @@ class Widener {
   const Tree& tree_;
   const std::span<const Aabb> boxes_;
   const WideLeaves& leaves_;
+  const std::stop_token stop_;
   std::vector<Part> parts_;             // by node
   std::vector<std::uint32_t> objects_;  // of the leaf that is made
   WideTree wide_;
@@ -170,8 +179,9 @@ class Widener {
 
 }  // namespace
 
-WideTree make_wide_tree(const Tree& tree, std::span<const Aabb> boxes, const WideLeaves& leaves) {
-  return Widener(tree, boxes, leaves).make();
+std::optional<WideTree> make_wide_tree(const Tree& tree, std::span<const Aabb> boxes,
+                                       const WideLeaves& leaves, std::stop_token stop) {
+  return Widener(tree, boxes, leaves, std::move(stop)).make();
 }
 
 }  // namespace bspview

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/bsp/tree.h"
@@ -38,7 +40,9 @@ struct WideLeaves {
 };
 inline constexpr int most_joined_objects = 8;
 
-/// `boxes`: one an object, as the tree was built with or larger.
-WideTree make_wide_tree(const Tree& tree, std::span<const Aabb> boxes, const WideLeaves& leaves);
+/// `boxes`: one an object, as the tree was built with or larger. Null soon after a stop is
+/// requested.
+std::optional<WideTree> make_wide_tree(const Tree& tree, std::span<const Aabb> boxes,
+                                       const WideLeaves& leaves, std::stop_token stop = {});
 
 }  // namespace bspview

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
+#include <utility>
 
 #include "core/base/timer.h"
 
@@ -25,6 +27,15 @@ Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
   return {box.lo - 2.0f * margin, box.hi + 2.0f * margin};
 }
 
+std::vector<Aabb> hit_bounds(const Scene& scene) {
+  std::vector<Aabb> boxes;
+  boxes.reserve(scene.objects.size());
+  for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
+    boxes.push_back(hit_bounds(scene, id));
+  }
+  return boxes;
+}
+
 TriangleBlock make_block(const Scene& scene, std::span<const std::uint32_t> triangles) {
   TriangleBlock block;
   for (std::size_t slot = 0; slot < TriangleBlock::width; ++slot) {
@@ -46,21 +57,6 @@ TriangleBlock make_block(const Scene& scene, std::span<const std::uint32_t> tria
 }
 
 }  // namespace
-
-Accelerator::Accelerator(const World& world) {
-  const Timer timer;
-  const Scene& scene = world.scene;
-  std::vector<Aabb> boxes;
-  boxes.reserve(scene.objects.size());
-  for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
-    boxes.push_back(hit_bounds(scene, id));
-  }
-  tree_ = make_wide_tree(
-      world.tree, boxes,
-      {[&](std::span<const std::uint32_t> objects) { return make_leaf(scene, objects); },
-       [&](std::uint32_t object) { return is_triangle(scene, object); }});
-  build_seconds_ = timer.seconds();
-}
 
 std::uint32_t Accelerator::make_leaf(const Scene& scene, std::span<const std::uint32_t> objects) {
   std::vector<std::uint32_t> triangles;
@@ -92,9 +88,23 @@ std::size_t Accelerator::bytes() const {
          others_.size() * sizeof(std::uint32_t) + mixed_.size() * sizeof(WideLeaf);
 }
 
-std::shared_ptr<const Accelerator> make_accelerator(const World& world) {
+std::shared_ptr<const Accelerator> make_accelerator(const World& world, std::stop_token stop) {
   if (world.tree.naive) return nullptr;
-  return std::make_shared<const Accelerator>(world);
+  const Timer timer;
+  const Scene& scene = world.scene;
+  try {
+    const auto accelerator = std::make_shared<Accelerator>();
+    const WideLeaves leaves{
+        [&](std::span<const std::uint32_t> ids) { return accelerator->make_leaf(scene, ids); },
+        [&](std::uint32_t id) { return is_triangle(scene, id); }};
+    auto tree = make_wide_tree(world.tree, hit_bounds(scene), leaves, std::move(stop));
+    if (!tree) return nullptr;
+    accelerator->tree_ = *std::move(tree);
+    accelerator->build_seconds_ = timer.seconds();
+    return accelerator;
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
 }
 
 }  // namespace bspview

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "core/bsp/wide_tree.h"
 #include "core/render/world.h"
@@ -19,9 +20,6 @@ struct WideLeaf {
 /// it answers is what the binary tree answers.
 class Accelerator {
  public:
-  /// The world's own accelerator does not matter.
-  explicit Accelerator(const World& world);
-
   const WideTree& tree() const { return tree_; }
   const TriangleBlock* blocks() const { return blocks_.data(); }
   std::span<const std::uint32_t> others(const WideLeaf& leaf) const {
@@ -34,6 +32,8 @@ class Accelerator {
   }
   std::size_t bytes() const;
   double build_seconds() const { return build_seconds_; }
+
+  friend std::shared_ptr<const Accelerator> make_accelerator(const World&, std::stop_token);
 
  private:
   // The name of a leaf of triangles says which; others are in the list of mixed ones.
@@ -51,8 +51,9 @@ class Accelerator {
   double build_seconds_ = 0.0;
 };
 
-/// Null for naive trees, which are to test every object.
-std::shared_ptr<const Accelerator> make_accelerator(const World& world);
+/// The world's own accelerator does not matter. Null for naive trees, which are to test every
+/// object, soon after a stop is requested, and where memory is short.
+std::shared_ptr<const Accelerator> make_accelerator(const World& world, std::stop_token stop = {});
 
 /// A world with an accelerator of its own, where it can have one.
 class FastWorld {

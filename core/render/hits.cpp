@@ -27,7 +27,7 @@ HWY_INLINE Hit find_alone(const World& world, const Ray& ray, SideRule rule) {
   if (world.accelerator == nullptr || !is_plain(ray)) {
     return find_in_binary_tree<any>(world, ray, rule);
   }
-  return SingleRay<any>(world, ray, rule).trace(ray, [] {});
+  return SingleRay<any>(world, ray, rule).trace([] {});
 }
 
 /// Fewer rays than this are faster one by one.
@@ -82,9 +82,9 @@ std::uint32_t count_leaves_here(const World& world, const Ray& ray, const TraceR
   if (!is_plain(ray)) return leaves;
   const auto visit = [&] { ++leaves; };
   if (any) {
-    SingleRay<true>(world, ray, rules.shadow_sides).trace(ray, visit);
+    SingleRay<true>(world, ray, rules.shadow_sides).trace(visit);
   } else {
-    SingleRay<false>(world, ray, rules.sides).trace(ray, visit);
+    SingleRay<false>(world, ray, rules.sides).trace(visit);
   }
   return leaves;
 }

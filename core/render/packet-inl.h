@@ -57,9 +57,10 @@ class Packet {
       best_object_[lane] = no_index;
       queries_[lane].reset();
     }
-    find_reach();
     classes_ = find_classes();
-    return find_plain_rays() & ((1u << count) - 1u);
+    const unsigned plain = find_plain_rays() & ((1u << count) - 1u);
+    find_reach(plain);
+    return plain;
   }
 
   /// Lanes whose rays run the same way.
@@ -130,7 +131,7 @@ class Packet {
     return bits_of(floats, hn::And(plain, hn::Gt(largest, all(0x1p-20f))));
   }
 
-  void find_reach() {
+  void find_reach(unsigned lanes) {
     FloatV reach = hn::Zero(floats);
     for (int axis = 0; axis < 3; ++axis) {
       const FloatV origin = load(rays_.origin[axis]);
@@ -138,6 +139,7 @@ class Packet {
       const FloatV above = hn::Abs(hn::Sub(all(world_.tree.box.hi[axis]), origin));
       reach = hn::Max(reach, hn::Max(below, above));
     }
+    reach = hn::IfThenElseZero(mask_of(floats, lanes), reach);
     rays_.reach_error = unit_roundoff * hn::GetLane(hn::MaxOfLanes(floats, reach));
   }
 

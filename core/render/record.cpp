@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/render/pixel_grid.h"
 
 namespace bspview {
 namespace {

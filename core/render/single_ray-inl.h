@@ -8,10 +8,13 @@
 #define BSPVIEW_SINGLE_RAY
 #endif
 
+#include <optional>
+
 #include "core/bsp/traverse_wide-inl.h"
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
 #include "core/shape/triangle_block-inl.h"
+#include "core/shape/triangle_plane.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bspview::HWY_NAMESPACE {
@@ -25,6 +28,32 @@ HWY_INLINE bool is_plain(const Ray& ray) {
          ray.t_min < ray.t_max;
 }
 
+/// What triangles need of a ray, with the names of RayQuery: most rays need no more of it.
+struct TriangleRay {
+  HWY_INLINE TriangleRay(const Ray& ray, float reach)
+      : wide_origin(ray.origin),
+        wide_direction(ray.direction),
+        t_min(ray.t_min),
+        t_max(ray.t_max),
+        reach_error(reach * unit_roundoff) {
+    const Vec3 sizes = glm::abs(ray.direction);
+    kz = sizes.x > sizes.y ? 0 : 1;
+    kz = std::max(sizes.x, sizes.y) > sizes.z ? kz : 2;
+    kx = kz == 2 ? 0 : kz + 1;
+    ky = kx == 2 ? 0 : kx + 1;
+    turned = {component(ray.origin, kx), component(ray.origin, ky), component(ray.origin, kz)};
+    shear_x = component(ray.direction, kx) / component(ray.direction, kz);
+    shear_y = component(ray.direction, ky) / component(ray.direction, kz);
+  }
+
+  Vec3d wide_origin, wide_direction;
+  double t_min, t_max;
+  float reach_error;
+  int kx, ky, kz;
+  Vec3 turned;
+  float shear_x, shear_y;
+};
+
 /// One ray on its way.
 template <bool any>
 class SingleRay {
@@ -32,13 +61,14 @@ class SingleRay {
   HWY_INLINE SingleRay(const World& world, const Ray& ray, SideRule rule)
       : world_(world),
         rule_(rule),
-        query_(ray, reach_of(world.tree.box, ray.origin), has_triangles(world.scene)),
+        ray_(ray),
+        triangle_ray_(ray, reach_of(world.tree.box, ray.origin)),
         reach_(ray.t_max) {}
 
   /// visit() is told of each leaf.
   template <class Visit>
-  HWY_INLINE Hit trace(const Ray& ray, Visit&& visit) {
-    traverse_wide(world_.accelerator->tree(), WideRay(ray), reach_, [&](std::uint32_t child) {
+  HWY_INLINE Hit trace(Visit&& visit) {
+    traverse_wide(world_.accelerator->tree(), WideRay(ray_), reach_, [&](std::uint32_t child) {
       visit();
       meet_leaf(child);
     });
@@ -50,12 +80,12 @@ class SingleRay {
     const WideLeaf leaf = world_.accelerator->leaf(child);
     const TriangleBlock* block = world_.accelerator->blocks() + leaf.first_block;
     for (std::uint32_t i = 0; i < leaf.block_count; ++i, ++block) {
-      const BlockHits hits = find_triangles(query_, *block);
+      const BlockHits hits = find_triangles(triangle_ray_, *block);
       if (hits.possible != 0) meet_triangles(*block, hits);
       if (any && best_) return;
     }
     for (const std::uint32_t id : world_.accelerator->others(leaf)) {
-      keep(id, hit_object(world_.scene, id, query_, rule_));
+      keep(id, hit_object(world_.scene, id, query(), rule_));
       if (any && best_) return;
     }
   }
@@ -69,11 +99,15 @@ class SingleRay {
         for (int axis = 0; axis < 3; ++axis) vertices[i][axis] = block.vertices[i][axis][slot];
       }
       const Sides sides = visible_sides(world_.scene, world_.scene.objects[id], rule_);
-      const bool is_sure = hits.sure >> slot & 1u;
-      keep(id, is_sure ? hit_triangle_plane(query_, vertices, sides)
-                       : hit_triangle_exactly(query_, vertices, sides));
+      keep(id, hit(vertices, hits.sure >> slot & 1u, sides));
       if (any && best_) return;
     }
+  }
+
+  HWY_INLINE double hit(const Vec3* vertices, bool passes_through, Sides sides) {
+    if (!passes_through) return hit_triangle_exactly(query(), vertices, sides);
+    const auto t = hit_triangle_plane_in_double(triangle_ray_, vertices, sides);
+    return t ? *t : hit_triangle_plane(query(), vertices, sides);
   }
 
   HWY_INLINE void keep(std::uint32_t id, double t) {
@@ -82,9 +116,17 @@ class SingleRay {
     reach_ = any ? -1.0f : static_cast<float>(t) * hit_margin;
   }
 
+  HWY_NOINLINE void make_query() { query_.emplace(ExactShapes::query(world_, ray_)); }
+  HWY_INLINE const RayQuery& query() {
+    if (!query_) make_query();
+    return *query_;
+  }
+
   const World& world_;
   const SideRule rule_;
-  const RayQuery query_;
+  const Ray& ray_;
+  const TriangleRay triangle_ray_;
+  std::optional<RayQuery> query_;
   Hit best_;
   float reach_;
 };

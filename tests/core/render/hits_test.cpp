@@ -4,6 +4,7 @@
 
 #include <hwy/targets.h>
 
+#include "core/render/accelerator.h"
 #include "core/render/scene_tree.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
@@ -14,7 +15,7 @@ namespace {
 using test::Random;
 
 /// The tests run with each of the instruction sets that the processor has.
-class PacketTest : public testing::TestWithParam<std::int64_t> {
+class HitsTest : public testing::TestWithParam<std::int64_t> {
  protected:
   void SetUp() override { use(GetParam()); }
   void TearDown() override { use(0); }
@@ -35,14 +36,15 @@ std::vector<std::int64_t> instruction_sets() {
   return sets;
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySet, PacketTest, testing::ValuesIn(instruction_sets()),
+INSTANTIATE_TEST_SUITE_P(EverySet, HitsTest, testing::ValuesIn(instruction_sets()),
                          [](const auto& set) { return hwy::TargetName(set.param); });
 
-/// Every hit and every occlusion as one ray finds it.
-void expect_answers_of_single_rays(const Scene& scene, const std::vector<Ray>& rays,
+/// Every hit and every occlusion as the binary tree finds it.
+void expect_answers_of_binary_tree(const Scene& scene, const std::vector<Ray>& rays,
                                    SideRule rule) {
   const auto tree = build_scene_tree(scene, {});
-  const World world{scene, *tree};
+  const FastWorld fast({scene, *tree});
+  const World& world = fast.world();
   std::vector<Hit> hits(rays.size());
   std::vector<std::uint32_t> found(rays.size());
   closest_hits(world, rays, rule, hits);
@@ -57,8 +59,12 @@ void expect_answers_of_single_rays(const Scene& scene, const std::vector<Ray>& r
     ASSERT_EQ(t_found != no_hit, found[i] != no_index) << "ray " << i;
     ASSERT_EQ(hits[i].object, single.object) << "ray " << i;
     ASSERT_EQ(hits[i].t, single.t) << "ray " << i;
-    ASSERT_EQ(found[i] != no_index, any_hit(world, rays[i], rules, none) != no_index)
-        << "ray " << i;
+    const bool is_blocked = any_hit(world, rays[i], rules, none) != no_index;
+    ASSERT_EQ(found[i] != no_index, is_blocked) << "ray " << i;
+    const Hit alone = fast_closest_hit(world, rays[i], rule);
+    ASSERT_EQ(alone.object, single.object) << "ray " << i;
+    ASSERT_EQ(alone.t, single.t) << "ray " << i;
+    ASSERT_EQ(fast_any_hit(world, rays[i], rule) != no_index, is_blocked) << "ray " << i;
     hit_count += single ? 1 : 0;
   }
   EXPECT_GT(hit_count, static_cast<int>(rays.size()) / 20);
@@ -78,16 +84,16 @@ std::vector<Ray> bundle(int count, Random& random) {
   return rays;
 }
 
-TEST_P(PacketTest, BundlesFindWhatSingleRaysFind) {
+TEST_P(HitsTest, BundlesFindWhatTheBinaryTreeFinds) {
   Random random(1);
   for (const SideRule rule :
        {SideRule::two_sided, SideRule::opaque_one_sided, SideRule::one_sided}) {
-    expect_answers_of_single_rays(test::random_scene(300, 11), bundle(3000, random), rule);
-    expect_answers_of_single_rays(test::random_triangles(500, 12), bundle(3000, random), rule);
+    expect_answers_of_binary_tree(test::random_scene(300, 11), bundle(3000, random), rule);
+    expect_answers_of_binary_tree(test::random_triangles(500, 12), bundle(3000, random), rule);
   }
 }
 
-TEST_P(PacketTest, RaysAnyhowFindWhatSingleRaysFind) {
+TEST_P(HitsTest, RaysAnyhowFindWhatTheBinaryTreeFinds) {
   Random random(2);
   std::vector<Ray> rays;
   for (int i = 0; i < 3001; ++i) {
@@ -98,10 +104,10 @@ TEST_P(PacketTest, RaysAnyhowFindWhatSingleRaysFind) {
     if (random.below(8) == 0) ray.direction *= 1e-30f;
     rays.push_back(ray);
   }
-  expect_answers_of_single_rays(test::random_scene(300, 13), rays, SideRule::two_sided);
+  expect_answers_of_binary_tree(test::random_scene(300, 13), rays, SideRule::two_sided);
 }
 
-TEST_P(PacketTest, RaysInPlanesAndAlongAxesFindWhatSingleRaysFind) {
+TEST_P(HitsTest, RaysInPlanesAndAlongAxesFindWhatTheBinaryTreeFinds) {
   Random random(3);
   std::vector<Ray> rays;
   const auto step = [&] { return 0.25f * static_cast<float>(random.below(17) - 8); };
@@ -115,10 +121,42 @@ TEST_P(PacketTest, RaysInPlanesAndAlongAxesFindWhatSingleRaysFind) {
     if (direction == Vec3(0.0f)) direction.x = 1.0f;
     for (int k = 0; k < 4; ++k) rays.push_back({origin, direction});
   }
-  expect_answers_of_single_rays(test::cube_grid(8, Vec3(0.0f)), rays, SideRule::two_sided);
+  expect_answers_of_binary_tree(test::cube_grid(8, Vec3(0.0f)), rays, SideRule::two_sided);
 }
 
-TEST_P(PacketTest, WhatIsNoRayHitsNothingAndDisturbsNobody) {
+TEST_P(HitsTest, RaysAlongAxesThroughCornersOfEveryShapeFindWhatTheBinaryTreeFinds) {
+  Random random(5);
+  const Scene scene = test::random_scene(200, 15);
+  std::vector<Ray> rays;
+  for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
+    const Aabb box = object_bounds(scene, id);
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 origin = random.below(2) == 0 ? box.lo : box.hi, direction(0.0f);
+      if (random.below(2) == 0) origin[(axis + 1) % 3] = box.centre()[(axis + 1) % 3];
+      direction[axis] = random.below(2) == 0 ? 1.0f : -1.0f;
+      origin[axis] -= 3.0f * direction[axis];
+      rays.push_back({origin, direction});
+    }
+  }
+  expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
+}
+
+TEST_P(HitsTest, WithoutAnAcceleratorRaysGoThroughTheBinaryTree) {
+  Random random(6);
+  const Scene scene = test::random_scene(100, 16);
+  const auto tree = build_scene_tree(scene, {.builder = Builder::naive});
+  const FastWorld fast({scene, *tree});
+  EXPECT_EQ(fast.world().accelerator, nullptr);
+  const std::vector<Ray> rays = bundle(200, random);
+  std::vector<Hit> hits(rays.size());
+  closest_hits(fast.world(), rays, SideRule::two_sided, hits);
+  NoObserver none;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_EQ(hits[i].object, closest_hit(fast.world(), rays[i], {}, none).object);
+  }
+}
+
+TEST_P(HitsTest, WhatIsNoRayHitsNothingAndDisturbsNobody) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
   Random random(4);
@@ -142,7 +180,7 @@ TEST_P(PacketTest, WhatIsNoRayHitsNothingAndDisturbsNobody) {
         rays[i].t_max = -1.0f;
     }
   }
-  expect_answers_of_single_rays(test::random_scene(300, 14), rays, SideRule::two_sided);
+  expect_answers_of_binary_tree(test::random_scene(300, 14), rays, SideRule::two_sided);
 }
 
 }  // namespace
