@@ -38,12 +38,15 @@ Result<SharedForest> grow_forest(std::shared_ptr<const Scene> scene,
   const auto forest = std::make_shared<Forest>(std::move(scene));
   const std::vector<BuildParams> kinds = tree_kinds(forest->scene->objects.size(), leaf_sizes);
   forest->trees.resize(kinds.size());
+  forest->accelerators.resize(kinds.size());
   std::vector<std::optional<Error>> errors(kinds.size());
   parallel_for(static_cast<int>(kinds.size()), [&](int kind) {
     const auto i = static_cast<std::size_t>(kind);
     auto tree = build_scene_tree(*forest->scene, kinds[i]);
     if (!tree) errors[i] = tree.error();
-    if (tree) forest->trees[i] = *std::move(tree);
+    if (!tree) return;
+    forest->trees[i] = *std::move(tree);
+    forest->accelerators[i] = make_accelerator({*forest->scene, forest->trees[i]});
   });
   for (const auto& error : errors)
     if (error) return *error;
@@ -75,9 +78,10 @@ const Tree& choose_tree(const Forest& forest, Dice& dice) {
   return forest.trees[static_cast<std::size_t>(dice.below(count))];
 }
 
-std::string describe(const Forest& forest, const Tree& tree) {
-  return fmt::format("{} by {}, leaf size {}", forest.scene->name, name_of(tree.params.builder),
-                     tree.params.leaf_size);
+std::string describe(const World& world) {
+  return fmt::format("{} by {}, leaf size {}{}", world.scene.name,
+                     name_of(world.tree.params.builder), world.tree.params.leaf_size,
+                     world.accelerator != nullptr ? ", wide nodes" : "");
 }
 
 std::string describe(const Ray& ray) {
@@ -95,24 +99,26 @@ Complaint compare_with_brute_force(const Subject& subject, const Forest& forest,
   const Hit expected = forest.brute.closest(ray);
   for (const Tree& tree : forest.trees) {
     if (leaf_size && (tree.naive || tree.params.leaf_size != *leaf_size)) continue;
-    RayCost cost;
-    const Hit found = subject.closest({*forest.scene, tree}, ray, cost);
-    if (found.object == expected.object && found.t == expected.t) continue;
-    return fmt::format("{}: {}: expected {}, found {}", describe(forest, tree), describe(ray),
-                       describe(expected), describe(found));
+    for (const World& world : forest.worlds(tree)) {
+      RayCost cost;
+      const Hit found = subject.closest(world, ray, cost);
+      if (found.object == expected.object && found.t == expected.t) continue;
+      return fmt::format("{}: {}: expected {}, found {}", describe(world), describe(ray),
+                         describe(expected), describe(found));
+    }
   }
   return std::nullopt;
 }
 
 Complaint compare_with_reference(const Subject& subject, const Forest& forest, const Ray& ray) {
-  const Tree& tree = forest.trees.back();
+  const World world = forest.worlds(forest.trees.back())[1];
   RayCost cost;
-  const Hit found = subject.closest({*forest.scene, tree}, ray, cost);
+  const Hit found = subject.closest(world, ray, cost);
   const Judgement judged = forest.reference.judge(ray, found.object, found.t);
   const bool wrong = judged.verdict == Verdict::lost || judged.verdict == Verdict::phantom;
   if (!wrong && judged.t_error <= 1.0) return std::nullopt;
   return fmt::format("{}: {}: found {}, which exact arithmetic calls {} ({:.2f} ulp)",
-                     describe(forest, tree), describe(ray), describe(found),
+                     describe(world), describe(ray), describe(found),
                      judged.verdict == Verdict::lost      ? "lost"
                      : judged.verdict == Verdict::phantom ? "a phantom"
                                                           : "inexact",

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "core/eval/reference.h"
 #include "core/eval/stress/brute.h"
 #include "core/eval/stress/check.h"
+#include "core/render/accelerator.h"
 
 namespace bspview::stress {
 
@@ -17,6 +19,13 @@ struct Forest {
   BruteForce brute;     ///< with the tests of all pictures
   Reference reference;  ///< beyond rounding
   std::vector<Tree> trees;
+  std::vector<std::shared_ptr<const Accelerator>> accelerators;  ///< of the trees
+
+  /// A tree as it is, and as pictures go through it.
+  std::array<World, 2> worlds(const Tree& tree) const {
+    const auto index = static_cast<std::size_t>(&tree - trees.data());
+    return {World{*scene, tree}, World{*scene, tree, accelerators[index].get()}};
+  }
 };
 
 /// A tree by every builder and leaf size; by the naive one only where the scene is small.
@@ -33,7 +42,7 @@ const Forest& choose_forest(const Forests& forests, Dice& dice);
 const Tree& choose_tree(const Forest& forest, Dice& dice);
 
 /// Builder and leaf size of a tree, and the scene, for complaints.
-std::string describe(const Forest& forest, const Tree& tree);
+std::string describe(const World& world);
 
 /// The ray's bits, to shoot it again.
 std::string describe(const Ray& ray);

@@ -65,14 +65,15 @@ Result<Trial> prepare_no_rays(const Setting& setting) {
     const Vec3 target = aim_at(*forest->scene, box, Aim::anywhere, dice);
     const Ray ray = no_ray(ray_towards(target, box, dice), dice);
     for (const Tree& tree : forest->trees) {
-      RayCost cost;
-      const Hit found = subject.closest({*forest->scene, tree}, ray, cost);
-      const bool occluded = subject.occluded({*forest->scene, tree}, ray);
-      if (!found && !occluded && cost.inner + cost.leaves <= 1) continue;
-      return fmt::format(
-          "{}: {}: expected nothing and at most one node, found {}, {} nodes, occluded {}",
-          describe(*forest, tree), describe(ray), describe(found), cost.inner + cost.leaves,
-          occluded);
+      for (const World& world : forest->worlds(tree)) {
+        RayCost cost;
+        const Hit found = subject.closest(world, ray, cost);
+        const bool occluded = subject.occluded(world, ray);
+        if (!found && !occluded && cost.inner + cost.leaves <= 1) continue;
+        return fmt::format(
+            "{}: {}: expected nothing and at most one node, found {}, {} nodes, occluded {}",
+            describe(world), describe(ray), describe(found), cost.inner + cost.leaves, occluded);
+      }
     }
     return std::nullopt;
   });

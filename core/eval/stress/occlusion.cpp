@@ -32,13 +32,15 @@ Result<Trial> prepare_occlusion(const Setting& setting) {
     const auto aim = static_cast<Aim>(dice.below(aim_count));
     Ray ray = ray_towards(aim_at(*forest.scene, box, aim, dice), box, dice);
     if (dice.one_in(2)) ray.t_max = std::max(0.0f, ray.t_min) + dice.between(0.0f, 1.5f);
-    const Tree& tree = choose_tree(forest, dice);
-    RayCost cost;
-    const Hit hit = subject.closest({*forest.scene, tree}, ray, cost);
-    const bool occluded = subject.occluded({*forest.scene, tree}, ray);
-    if (occluded == static_cast<bool>(hit)) return std::nullopt;
-    return fmt::format("{}: {}: closest hit {}, but {}", describe(forest, tree), describe(ray),
-                       describe(hit), occluded ? "occluded" : "not occluded");
+    for (const World& world : forest.worlds(choose_tree(forest, dice))) {
+      RayCost cost;
+      const Hit hit = subject.closest(world, ray, cost);
+      const bool occluded = subject.occluded(world, ray);
+      if (occluded == static_cast<bool>(hit)) continue;
+      return fmt::format("{}: {}: closest hit {}, but {}", describe(world), describe(ray),
+                         describe(hit), occluded ? "occluded" : "not occluded");
+    }
+    return std::nullopt;
   });
 }
 

@@ -105,7 +105,7 @@ Complaint compare_visits(const Subject& subject, const Forest& forest, Dice& dic
   return fmt::format(
       "{}: expected at most 3 x {} visited nodes (the median of rays beside the "
       "planes), found a median of {}",
-      describe(forest, tree), beside, found);
+      describe(world), beside, found);
 }
 
 Result<Forests> own_forests(std::uint64_t seed) {

@@ -1,14 +1,20 @@
 #include "core/eval/stress/subject.h"
 
+#include "core/render/hits.h"
+
 namespace bspview::stress {
 namespace {
 
 Hit closest(const World& world, const Ray& ray, RayCost& cost) {
+  if (world.accelerator != nullptr) return fast_closest_hit(world, ray, SideRule::two_sided);
   CountObserver count(cost);
   return closest_hit(world, ray, {}, count);
 }
 
 bool occluded(const World& world, const Ray& ray) {
+  if (world.accelerator != nullptr) {
+    return fast_any_hit(world, ray, SideRule::two_sided) != no_index;
+  }
   NoObserver none;
   return any_hit(world, ray, {}, none) != no_index;
 }

@@ -8,7 +8,7 @@ namespace bspview::stress {
 /// What the checks put to the test. The default is what pictures are made with; wrong variants show
 /// that the checks can fail.
 struct Subject {
-  /// Nearest hit, with what it cost.
+  /// Nearest hit, with what it cost; in a world with an accelerator the cost stays 0.
   Hit (*closest)(const World&, const Ray&, RayCost&);
   /// Whether anything is hit.
   bool (*occluded)(const World&, const Ray&);

@@ -6,6 +6,7 @@
 
 #include "core/eval/delta.h"
 #include "core/eval/stress/rows.h"
+#include "core/render/accelerator.h"
 #include "core/render/render.h"
 #include "core/render/scene_tree.h"
 #include "core/scene/spd.h"
@@ -77,12 +78,12 @@ std::vector<Vec3> grow_picture(const World& world, const RenderParams& params) {
 Result<Outcome> render(const Scene& scene, const BuildParams& build, const RenderParams& params) {
   auto tree = build_scene_tree(scene, build);
   if (!tree) return tree.error();
-  const World world{scene, *tree};
-  auto counted = render_counted(world, scene.camera, params);
+  const FastWorld fast({scene, *tree});
+  auto counted = render_counted({scene, *tree}, scene.camera, params);
   if (!counted) return counted.error();
-  auto plain = render_image(world, scene.camera, params);
+  auto plain = render_image(fast.world(), scene.camera, params);
   if (!plain) return plain.error();
-  auto grown = grow_picture(world, params);
+  auto grown = grow_picture(fast.world(), params);
   return Outcome{*std::move(tree), *std::move(counted), *std::move(plain), std::move(grown)};
 }
 

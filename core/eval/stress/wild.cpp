@@ -174,13 +174,15 @@ bool is_allowed(const Scene& scene, const Ray& ray, const Hit& found, const Hit&
 Complaint compare_trees(const Subject& subject, const Forest& forest, const Ray& ray,
                         const Hit& nearest) {
   for (const Tree& tree : forest.trees) {
-    RayCost cost;
-    const Hit found = subject.closest({*forest.scene, tree}, ray, cost);
-    if (is_allowed(*forest.scene, ray, found, nearest)) continue;
-    const std::uint32_t id = nearest ? nearest.object : found.object;
-    return fmt::format("{}: {}: expected {}, found {}; object {} is {}", describe(forest, tree),
-                       describe(ray), describe(nearest), describe(found), id,
-                       describe_object(*forest.scene, id));
+    for (const World& world : forest.worlds(tree)) {
+      RayCost cost;
+      const Hit found = subject.closest(world, ray, cost);
+      if (is_allowed(*forest.scene, ray, found, nearest)) continue;
+      const std::uint32_t id = nearest ? nearest.object : found.object;
+      return fmt::format("{}: {}: expected {}, found {}; object {} is {}", describe(world),
+                         describe(ray), describe(nearest), describe(found), id,
+                         describe_object(*forest.scene, id));
+    }
   }
   return std::nullopt;
 }
@@ -214,11 +216,13 @@ Complaint shoot_at_valid(const Subject& subject, const Forest& forest, Dice& dic
   const Vec3 origin = sphere.centre + dice.between(0.25f, 4.0f) * dice.direction();
   const Ray ray{origin, sphere.centre - origin};
   for (const Tree& tree : forest.trees) {
-    RayCost cost;
-    const Hit found = subject.closest({scene, tree}, ray, cost);
-    if (found && found.t <= 1.0 + 1e-6) continue;
-    return fmt::format("{}: {}: expected a sphere's front, found {}", describe(forest, tree),
-                       describe(ray), describe(found));
+    for (const World& world : forest.worlds(tree)) {
+      RayCost cost;
+      const Hit found = subject.closest(world, ray, cost);
+      if (found && found.t <= 1.0 + 1e-6) continue;
+      return fmt::format("{}: {}: expected a sphere's front, found {}", describe(world),
+                         describe(ray), describe(found));
+    }
   }
   return std::nullopt;
 }
