@@ -103,6 +103,49 @@ std::uint32_t walk_leaves_here(const World& world, const Ray& ray, std::uint32_t
   return last;
 }
 
+/// One ray to its end, as walk_together.
+std::uint64_t walk_alone(const World& world, const Ray& ray, float end) {
+  std::uint64_t sum = 0;
+  const float reach = end * hit_margin;
+  if (!is_plain(ray)) return sum;
+  traverse_wide(world.accelerator->tree(), WideRay(ray), reach,
+                [&](std::uint32_t child) { sum += child; });
+  return sum;
+}
+
+std::uint64_t walk_some(Packet& packet, const World& world, std::span<const Ray> rays,
+                        std::span<const float> ends) {
+  std::uint64_t sum = 0;
+  unsigned alone = 0, open = packet.load_rays(rays);
+  while (open != 0) {
+    const Packet::Class next = packet.class_among(open);
+    open &= ~next.lanes;
+    if (hwy::PopCount(next.lanes) < fewest_together) {
+      alone |= next.lanes;
+    } else {
+      sum += packet.walk(next, ends);
+    }
+  }
+  while (alone != 0 && !ends.empty()) {
+    const auto i = static_cast<std::size_t>(take_lane(alone));
+    sum += walk_alone(world, rays[i], ends[i]);
+  }
+  return sum;
+}
+
+std::uint64_t walk_together_here(const World& world, std::span<const Ray> rays,
+                                 std::span<const float> ends) {
+  Packet packet(world, SideRule::two_sided);
+  const auto width = static_cast<std::size_t>(lane_count());
+  std::uint64_t sum = 0;
+  for (std::size_t first = 0; first < rays.size(); first += width) {
+    const std::size_t count = std::min(width, rays.size() - first);
+    const auto some = ends.empty() ? ends : ends.subspan(first, count);
+    sum += walk_some(packet, world, rays.subspan(first, count), some);
+  }
+  return sum;
+}
+
 void closest_hits_here(const World& world, std::span<const Ray> rays, SideRule rule,
                        std::span<Hit> hits) {
   trace_all<false>(world, rays, rule, [&](std::size_t i, const Hit& hit) { hits[i] = hit; });
@@ -132,6 +175,7 @@ HWY_EXPORT(fast_closest_hit_here);
 HWY_EXPORT(fast_any_hit_here);
 HWY_EXPORT(count_leaves_here);
 HWY_EXPORT(walk_leaves_here);
+HWY_EXPORT(walk_together_here);
 HWY_EXPORT(closest_hits_here);
 HWY_EXPORT(any_hits_here);
 HWY_EXPORT(width_here);
@@ -151,6 +195,11 @@ std::uint32_t count_leaves(const World& world, const Ray& ray, const TraceRules&
 
 std::uint32_t walk_leaves(const World& world, const Ray& ray, std::uint32_t leaves) {
   return HWY_DYNAMIC_DISPATCH(walk_leaves_here)(world, ray, leaves);
+}
+
+std::uint64_t walk_together(const World& world, std::span<const Ray> rays,
+                            std::span<const float> ends) {
+  return HWY_DYNAMIC_DISPATCH(walk_together_here)(world, rays, ends);
 }
 
 void closest_hits(const World& world, std::span<const Ray> rays, SideRule rule,

@@ -94,6 +94,21 @@ class Packet {
                          });
   }
 
+  /// The walk alone, each lane to its end; none: makes ready, no more. Answers the names of the
+  /// leaves, added up.
+  std::uint64_t walk(const Class& rays, std::span<const float> ends) {
+    set_class(rays);
+    std::uint64_t sum = 0;
+    if (ends.empty()) return sum;
+    for (unsigned rest = rays.lanes; rest != 0;) {
+      const int lane = take_lane(rest);
+      walk_.reach[lane] = ends[static_cast<std::size_t>(lane)] * hit_margin;
+    }
+    traverse_wide_packet(world_.accelerator->tree(), walk_, rays.lanes,
+                         [&](std::uint32_t child, unsigned) { sum += child; });
+    return sum;
+  }
+
   Hit best(int lane) const { return {best_t_[lane], best_object_[lane], no_leaf}; }
 
  private:

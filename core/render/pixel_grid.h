@@ -2,8 +2,10 @@
 
 // The rays of a picture: in which tiles, through which points, after which rules.
 
+#include <algorithm>
 #include <functional>
 #include <stop_token>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/render/sample_pattern.h"
@@ -18,13 +20,47 @@ struct Tile {
   int x0, y0, x1, y1;  ///< pixels x0 <= x < x1, y0 <= y < y1
 };
 
-/// Calls body(x, y) for the pixels of a tile, row after row.
+/// Calls body(x, y) for the pixels of a tile, block after block of 4 x 4, so that as many as are
+/// traced at once lie close together.
 template <class Body>
 void for_each_pixel(const Tile& tile, const Body& body) {
-  for (int y = tile.y0; y < tile.y1; ++y) {
-    for (int x = tile.x0; x < tile.x1; ++x) body(x, y);
+  constexpr int side = 4;
+  for (int y0 = tile.y0; y0 < tile.y1; y0 += side) {
+    for (int x0 = tile.x0; x0 < tile.x1; x0 += side) {
+      for (int y = y0; y < std::min(y0 + side, tile.y1); ++y) {
+        for (int x = x0; x < std::min(x0 + side, tile.x1); ++x) body(x, y);
+      }
+    }
   }
 }
+
+/// The eye rays through one sample of some pixels, to be traced together.
+class EyeRays {
+ public:
+  void clear() {
+    rays_.clear();
+    pixels_.clear();
+  }
+  void add(std::size_t pixel, const Ray& ray) {
+    rays_.push_back(ray);
+    pixels_.push_back(pixel);
+  }
+
+  /// Calls done(pixel, colour) for each.
+  template <class Tracer, class Done>
+  void shade(Shader<Tracer>& shader, const Done& done) {
+    hits_.resize(rays_.size());
+    shader.eye_hits(rays_, hits_);
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+      done(pixels_[i], shader.color(rays_[i], hits_[i]));
+    }
+  }
+
+ private:
+  std::vector<Ray> rays_;
+  std::vector<std::size_t> pixels_;
+  std::vector<Hit> hits_;
+};
 
 /// The ray through a pixel's sample. See sample_pattern.h.
 inline Ray sample_ray(const PrimaryRays& eye, int x, int y, Vec2 offset) {

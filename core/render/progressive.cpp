@@ -103,11 +103,13 @@ class Progress {
       if (!samples_.any_lives_in(number)) return;
       PlainTracer tracer(world_, trace_rules(params_));
       Shader shader(world_.scene, params_, tracer);
-      Hit hit;
+      EyeRays rays;
       for_each_pixel(tile, [&](int x, int y) {
         const std::size_t i = index(x, y);
-        if (!samples_.lives(i)) return;
-        samples_.add(i, shader.eye_color(sample_ray(eye_, x, y, offsets_[sample]), hit));
+        if (samples_.lives(i)) rays.add(i, sample_ray(eye_, x, y, offsets_[sample]));
+      });
+      rays.shade(shader, [&](std::size_t i, Vec3 color) {
+        samples_.add(i, color);
         frame_.color[i] = samples_.mean(i);
       });
     });

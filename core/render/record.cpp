@@ -17,10 +17,34 @@ std::uint64_t walk(const Tree& tree, Traversal traversal, const RecordedRay& rec
   return traverse(traversal, tree, recorded.ray, leaf, none);
 }
 
+/// Eye rays, which the accelerator takes together.
+std::uint64_t walk_eye_rays(const World& world, std::span<const RecordedRay> recorded,
+                            Replay what) {
+  std::vector<Ray> rays;
+  std::vector<float> ends;
+  for (const RecordedRay& one : recorded) {
+    rays.push_back(one.ray);
+    if (what == Replay::walk) ends.push_back(one.end);
+  }
+  return walk_together(world, rays, ends);
+}
+
 /// The same in the tree of the accelerator.
-std::uint64_t walk_wide(const World& world, const RecordedRay& recorded, Replay what) {
-  if (recorded.leaves == 0 && what == Replay::walk) return 0;
-  return walk_leaves(world, recorded.ray, what == Replay::walk ? recorded.leaves : 0);
+std::uint64_t walk_wide(const World& world, std::span<const RecordedRay> rays, Replay what) {
+  const auto is_eye_ray = [](const RecordedRay& one) { return one.kind == RayKind::primary; };
+  std::uint64_t sum = 0;
+  while (!rays.empty()) {
+    const auto behind = std::ranges::find_if_not(rays, is_eye_ray);
+    const auto eye_rays = rays.first(static_cast<std::size_t>(behind - rays.begin()));
+    if (!eye_rays.empty()) sum += walk_eye_rays(world, eye_rays, what);
+    rays = rays.subspan(eye_rays.size());
+    for (; !rays.empty() && !is_eye_ray(rays.front()); rays = rays.subspan(1)) {
+      const std::uint32_t leaves = rays.front().leaves;
+      if (what == Replay::walk && leaves == 0) continue;
+      sum += walk_leaves(world, rays.front().ray, what == Replay::walk ? leaves : 0);
+    }
+  }
+  return sum;
 }
 
 std::uint64_t enter(const Tree& tree, const RecordedRay& recorded) {
@@ -35,16 +59,16 @@ std::uint64_t replay(const World& world, const RenderParams& params,
   const std::size_t chunks = (rays.size() + rays_a_chunk - 1) / rays_a_chunk;
   std::vector<std::uint64_t> sums(chunks);
   const bool wide = is_fast(world, trace_rules(params));
-  const auto replay_one = [&](const RecordedRay& ray) -> std::uint64_t {
-    if (wide) return walk_wide(world, ray, what);
-    return what == Replay::walk ? walk(world.tree, params.traversal, ray) : enter(world.tree, ray);
-  };
   const auto replay_chunk = [&](int chunk) {
     if (stop.stop_requested()) return;
     const std::size_t first = static_cast<std::size_t>(chunk) * rays_a_chunk;
     const auto part = rays.subspan(first, std::min(rays_a_chunk, rays.size() - first));
     std::uint64_t sum = 0;
-    for (const RecordedRay& ray : part) sum += replay_one(ray);
+    if (wide) sum = walk_wide(world, part, what);
+    for (const RecordedRay& ray : wide ? part.first(0) : part) {
+      sum +=
+          what == Replay::walk ? walk(world.tree, params.traversal, ray) : enter(world.tree, ray);
+    }
     sums[static_cast<std::size_t>(chunk)] = sum;
   };
   with_threads(params.threads, [&] { parallel_for(static_cast<int>(chunks), replay_chunk); });

@@ -60,14 +60,15 @@ struct Round {
 
 template <class Tracer>
 void trace_tile(Shader<Tracer>& shader, const Tile& tile, const Round& round) {
-  Hit hit;
-  for_each_pixel(tile, [&](int x, int y) {
-    const std::size_t pixel = static_cast<std::size_t>(y) * round.width + x;
-    if (!round.samples.lives(pixel)) return;
-    for (const Vec2 offset : round.offsets) {
-      round.samples.add(pixel, shader.eye_color(sample_ray(round.eye, x, y, offset), hit));
-    }
-  });
+  EyeRays rays;
+  for (const Vec2 offset : round.offsets) {
+    rays.clear();
+    for_each_pixel(tile, [&](int x, int y) {
+      const std::size_t pixel = static_cast<std::size_t>(y) * round.width + x;
+      if (round.samples.lives(pixel)) rays.add(pixel, sample_ray(round.eye, x, y, offset));
+    });
+    rays.shade(shader, [&](std::size_t pixel, Vec3 color) { round.samples.add(pixel, color); });
+  }
 }
 
 /// Traces every pixel; for each tile, or with adaptive sampling for each tile of a round,

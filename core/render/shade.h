@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/render/render.h"
 #include "core/render/surface.h"
@@ -37,6 +38,12 @@ class Shader {
   /// Colour seen along an eye ray; what it hit goes to `hit`.
   Vec3 eye_color(const Ray& ray, Hit& hit) {
     hit = tracer_.closest(ray, RayKind::primary, 1);
+    return color(ray, hit);
+  }
+
+  /// The same in two steps, for many rays: what eye rays hit, and the colour along one.
+  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) { tracer_.eye_hits(rays, hits); }
+  Vec3 color(const Ray& ray, const Hit& hit) {
     return hit ? shade(ray, hit, {1, 1.0f}) : scene_.background;
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Tracers answer the two questions of the shader, closest and occluded, and differ in what they
-// keep: nothing, counts, the rays, or every step.
+// Tracers answer the questions of the shader, eye_hits, closest and occluded, and differ in what
+// they keep: nothing, counts, the rays, or every step.
 
 #include <vector>
 
@@ -12,11 +12,23 @@
 
 namespace bspview {
 
+/// eye_hits of tracers that take one ray after the other.
+template <class Tracer>
+void find_eye_hits(Tracer& tracer, std::span<const Ray> rays, std::span<Hit> hits) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = tracer.closest(rays[i], RayKind::primary, 1);
+  }
+}
+
 /// Keeps nothing: the timed path.
 class PlainTracer {
  public:
   PlainTracer(const World& world, const TraceRules& rules)
       : world_(world), rules_(rules), is_fast_(bspview::is_fast(world, rules)) {}
+  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    if (is_fast_) return closest_hits(world_, rays, rules_.sides, hits);
+    find_eye_hits(*this, rays, hits);
+  }
   Hit closest(const Ray& ray, RayKind, int) {
     if (is_fast_) return fast_closest_hit(world_, ray, rules_.sides);
     NoObserver none;
@@ -38,6 +50,9 @@ class PlainTracer {
 class CountTracer {
  public:
   CountTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    find_eye_hits(*this, rays, hits);
+  }
   Hit closest(const Ray& ray, RayKind kind, int) {
     CountObserver count(cost_);
     const Hit hit = trace_closest(world_, ray, rules_, count);
@@ -69,6 +84,7 @@ class CountTracer {
 struct RecordedRay {
   Ray ray;
   std::uint32_t leaves = 0;  ///< of the binary or the wide tree, visited until the walk ended
+  float end = 0.0f;          ///< t of what it hit, else t_max
   RayKind kind = RayKind::primary;
 };
 
@@ -76,18 +92,22 @@ struct RecordedRay {
 class RecordTracer {
  public:
   RecordTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    find_eye_hits(*this, rays, hits);
+  }
   Hit closest(const Ray& ray, RayKind kind, int) {
     RayCost cost;
     CountObserver count(cost);
     const Hit hit = trace_closest(world_, ray, rules_, count);
-    rays_.push_back({ray, leaves_of(ray, cost, false), kind});
+    const float end = hit ? static_cast<float>(hit.t) : ray.t_max;
+    rays_.push_back({ray, leaves_of(ray, cost, false), end, kind});
     return hit;
   }
   bool occluded(const Ray& ray, int) {
     RayCost cost;
     CountObserver count(cost);
     const bool hit = trace_any(world_, ray, rules_, count) != no_index;
-    rays_.push_back({ray, leaves_of(ray, cost, true), RayKind::shadow});
+    rays_.push_back({ray, leaves_of(ray, cost, true), ray.t_max, RayKind::shadow});
     return hit;
   }
   std::vector<RecordedRay>& rays() { return rays_; }
@@ -107,6 +127,9 @@ class RecordTracer {
 class PathTracer {
  public:
   PathTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    find_eye_hits(*this, rays, hits);
+  }
   Hit closest(const Ray& ray, RayKind kind, int level);
   bool occluded(const Ray& ray, int level);
   std::vector<PathRay>& rays() { return rays_; }
@@ -124,6 +147,9 @@ class PathTracer {
 class ReferenceTracer {
  public:
   ReferenceTracer(const Scene& scene, const TraceRules& rules) : scene_(scene), rules_(rules) {}
+  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    find_eye_hits(*this, rays, hits);
+  }
   Hit closest(const Ray& ray, RayKind, int);
   bool occluded(const Ray& ray, int level);
 
