@@ -14,17 +14,25 @@ bool is_triangle(const Scene& scene, std::uint32_t object) {
   return scene.objects[object].kind == ObjectKind::triangle;
 }
 
-/// Of everything that counts as a hit: polygons are met where their vertices are off their plane.
-Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
-  Aabb box = object_bounds(scene, id);
+/// How far what counts as a hit may lie beside an object's box. Triangles are decided exactly; the
+/// tests of round shapes round, and polygons are met where their vertices are off their plane.
+float hit_margin_of(const Scene& scene, std::uint32_t id, const Aabb& box) {
   const Object& object = scene.objects[id];
-  if (object.kind != ObjectKind::polygon || box.empty()) return box;
+  if (object.kind == ObjectKind::triangle) return 0.0f;
+  const Vec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+  const float rounding = 0x1p-20f * largest_component(far);
+  if (object.kind != ObjectKind::polygon) return rounding;
   const PolygonPlane& plane = scene.planes[scene.faces[object.shape].plane];
   const Vec3d slopes = glm::abs(plane.normal);
-  const double steepest = std::max({slopes.x, slopes.y, slopes.z});
-  const auto margin = static_cast<float>(plane.thickness / steepest);
-  if (!(margin > 0.0f)) return box;
-  return {box.lo - 2.0f * margin, box.hi + 2.0f * margin};
+  return rounding +
+         static_cast<float>(2.0 * plane.thickness / std::max({slopes.x, slopes.y, slopes.z}));
+}
+
+Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
+  const Aabb box = object_bounds(scene, id);
+  if (box.empty()) return box;
+  const float margin = hit_margin_of(scene, id, box);
+  return margin > 0.0f ? Aabb{box.lo - margin, box.hi + margin} : box;
 }
 
 std::vector<Aabb> hit_bounds(const Scene& scene) {

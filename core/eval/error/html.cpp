@@ -55,7 +55,8 @@ std::string keys(const ErrorReport& report) {
     html += fmt::format("<span><i class=\"key {}\"></i>{}</span>", kind, name);
   }
   return html + "</p>\n<p class=\"quiet\">" +
-         "Open marks: none found, drawn at the upper bound 3 / N. The ring is the default, the "
+         "Open marks: none found, drawn at the upper bound 3 / N. The ring is what pictures are "
+         "traced with, the "
          "dashed line the Pareto front. Point at a mark for its name. " +
          embree_sentence(report) + "</p>\n";
 }
@@ -70,7 +71,8 @@ std::string section_of_rays(const ErrorReport& report) {
             (has_foreign(report) ? ", and Embree answers, too" : "") + ".</p>\n" +
             plots(report, triangles, triangle_metrics);
   }
-  html += "<h2>What the default costs</h2>\n" + price_table_html(report);
+  html += "<h2>What the default costs</h2>\n" + price_table_html(report.pictures_config, report) +
+          price_table_html(default_config, report);
   html += "<h2>All configurations</h2>\n" + pool_table_html(report, all, all_metrics);
   if (!triangles.configs.empty()) {
     html += "<h3>Scenes of triangles only</h3>\n" +

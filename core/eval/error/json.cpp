@@ -101,8 +101,8 @@ Json pool_json(const ErrorReport& report, const ErrorPool& pool) {
   return json;
 }
 
-Json price_json(const ErrorReport& report) {
-  const Price price = price_of_default(report);
+Json price_json(std::size_t config, const ErrorReport& report) {
+  const Price price = price_of(config, report);
   Json json{{"against", report.configs[price.fastest].name}, {"scenes", Json::object()}};
   for (std::size_t i = 0; i < price.ratios.size(); ++i) {
     for (std::size_t k = 0; k < priced_groups.size(); ++k) {
@@ -155,7 +155,8 @@ void add_rays(Json& json, const ErrorReport& report) {
   }
   json["all"] = pool_json(report, pool_of_all(report));
   json["triangles"] = pool_json(report, pool_of_triangles(report));
-  json["price"] = price_json(report);
+  json["price"] = price_json(report.pictures_config, report);
+  json["price_in_binary_tree"] = price_json(default_config, report);
   for (const SceneErrors& scene : report.scenes) json["scenes"].push_back(scene_json(scene));
 }
 

@@ -63,8 +63,9 @@ std::string trade_off_figure(const ErrorReport& report, const ErrorPool& pool, M
   for (std::size_t i = 0; i < all.points.size(); ++i) {
     const PooledConfig& measured = pool.configs[all.members[i]];
     PlotPoint point = mark(report.configs[measured.config], measured, all.errors[i]);
-    point.ringed = measured.config == default_config;
-    point.strong = point.ringed || measured.config == fast_config || point.kind == "foreign";
+    point.ringed = measured.config == report.pictures_config;
+    point.strong = point.ringed || measured.config == fast_config ||
+                   measured.config == default_config || point.kind == "foreign";
     plot.points.push_back(point);
   }
   for (const std::size_t i : pareto_line(all.points)) {
@@ -91,7 +92,7 @@ std::string pool_table_html(const ErrorReport& report, const ErrorPool& pool,
   for (const PooledConfig& one : pool.configs) {
     const ErrorConfig& config = report.configs[one.config];
     html += fmt::format("<tr{}><td title=\"{}\">{}</td>",
-                        one.config == default_config ? " class=\"own\"" : "",
+                        one.config == report.pictures_config ? " class=\"own\"" : "",
                         escape_markup(config.what), escape_markup(config.name));
     html += cell(fmt::format("{:.1f}", one.ns)) + cell(fmt::format("{:.1f}", one.ns_mad));
     for (const Metric metric : metrics) {
@@ -102,11 +103,12 @@ std::string pool_table_html(const ErrorReport& report, const ErrorPool& pool,
   return html + "</table></div>\n";
 }
 
-std::string price_table_html(const ErrorReport& report) {
-  const Price price = price_of_default(report);
+std::string price_table_html(std::size_t config, const ErrorReport& report) {
+  const Price price = price_of(config, report);
   std::string html = fmt::format(
-      "<p>Time of the default over that of the fastest configuration in float with a published "
+      "<p>Time of <b>{}</b> over that of the fastest configuration in float with a published "
       "traversal, <b>{}</b>.</p>\n<table>\n<tr><th>scene</th>",
+      escape_markup(report.configs[config].name),
       escape_markup(report.configs[price.fastest].name));
   for (const RayGroup group : priced_groups) html += fmt::format("<th>{}</th>", name_of(group));
   html += "</tr>\n";

@@ -15,7 +15,7 @@ std::string trade_off_figure(const ErrorReport& report, const ErrorPool& pool, M
 
 std::string pool_table_html(const ErrorReport& report, const ErrorPool& pool,
                             std::span<const Metric> metrics);
-std::string price_table_html(const ErrorReport& report);
+std::string price_table_html(std::size_t config, const ErrorReport& report);
 
 /// Curves of one scene's picture, adaptive against uniform at equal time and equal error.
 std::string image_section(const SceneImageError& image);

@@ -133,11 +133,11 @@ TradeOffs trade_offs(const ErrorPool& pool, Metric metric) {
   return all;
 }
 
-Price price_of_default(const ErrorReport& report) {
+Price price_of(std::size_t config, const ErrorReport& report) {
   Price price;
-  for (const PooledConfig& config : pool_of_all(report).configs) {
-    if (!is_fast_float(report.configs[config.config])) continue;
-    price.fastest = config.config;
+  for (const PooledConfig& other : pool_of_all(report).configs) {
+    if (!is_fast_float(report.configs[other.config])) continue;
+    price.fastest = other.config;
     break;
   }
   std::array<std::vector<double>, priced_groups.size()> by_group;
@@ -147,7 +147,7 @@ Price price_of_default(const ErrorReport& report) {
       const auto group = static_cast<std::size_t>(priced_groups[i]);
       const double fastest = median_of(scene.seconds[price.fastest][group]);
       if (!(fastest > 0.0)) continue;
-      ratios[i] = median_of(scene.seconds[default_config][group]) / fastest;
+      ratios[i] = median_of(scene.seconds[config][group]) / fastest;
       by_group[i].push_back(ratios[i]);
     }
   }

@@ -66,8 +66,8 @@ struct TradeOffs {
 };
 TradeOffs trade_offs(const ErrorPool& pool, Metric metric);
 
-/// What the default costs: its time over that of our fastest non-robust configuration in float, a
-/// group of rays and scene, by medians of the interleaved repeats.
+/// What a configuration costs: its time over that of our fastest non-robust configuration in float,
+/// a group of rays and scene, by medians of the interleaved repeats.
 struct Price {
   std::size_t fastest = 0;                    ///< index of that configuration
   std::vector<std::array<double, 3>> ratios;  ///< by scene; 0: no such rays
@@ -76,6 +76,6 @@ struct Price {
 };
 inline constexpr std::array<RayGroup, 3> priced_groups{RayGroup::primary, RayGroup::shadow,
                                                        RayGroup::scattered};
-Price price_of_default(const ErrorReport& report);
+Price price_of(std::size_t config, const ErrorReport& report);
 
 }  // namespace bspview

@@ -88,11 +88,21 @@ class ErrorRun {
     return sum;
   }
 
+  ErrorConfig pictures_config() const {
+    ErrorConfig config = design_.config(design_.accurate());
+    config.kernel = make_fast_kernel();
+    config.name = "pictures";
+    config.what = "the default as pictures trace it: exact, in wide nodes";
+    return config;
+  }
+
   /// Adds configurations and judges what they answer.
   void judge(std::span<const Levels> levels, double share) {
     const std::size_t first = report_.configs.size();
     for (const Levels& one : levels) report_.configs.push_back(design_.config(one));
     if (first == 0) {
+      report_.pictures_config = report_.configs.size();
+      report_.configs.push_back(pictures_config());
       for (ErrorConfig& foreign : embree_configs()) report_.configs.push_back(std::move(foreign));
     }
     const double a_ray =

@@ -33,7 +33,8 @@ struct SceneErrors {
 
 struct ErrorReport {
   ErrorParams params;
-  std::vector<ErrorConfig> configs;       ///< [0]: the fast anchor, [1]: the default
+  std::vector<ErrorConfig> configs;  ///< [0]: the fast anchor, [1]: the default
+  std::size_t pictures_config = 0;   ///< the default tests in wide nodes, as pictures are traced
   std::vector<Factor> strongest_factors;  ///< the three whose combinations were measured
   std::vector<SceneErrors> scenes;
   Machine machine = this_machine();

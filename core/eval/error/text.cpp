@@ -59,10 +59,11 @@ std::string fronts(const ErrorReport& report, const ErrorPool& pool,
   return text;
 }
 
-std::string price_table(const ErrorReport& report) {
-  const Price price = price_of_default(report);
-  std::string text = heading(fmt::format("Price: time of the default over that of \"{}\"",
-                                         report.configs[price.fastest].name));
+std::string price_table(std::size_t config, const ErrorReport& report) {
+  const Price price = price_of(config, report);
+  std::string text =
+      heading(fmt::format("Price: time of \"{}\" over that of \"{}\"", report.configs[config].name,
+                          report.configs[price.fastest].name));
   const auto row = [&](std::string_view name, const std::array<double, 3>& ratios) {
     text += fmt::format("  {:<10}", name);
     for (const double ratio : ratios) {
@@ -138,7 +139,7 @@ std::string rays_text(const ErrorReport& report) {
     text += pool_table(report, triangles, triangle_columns);
     text += heading("Pareto fronts there") + fronts(report, triangles, triangle_columns);
   }
-  return text + price_table(report);
+  return text + price_table(report.pictures_config, report) + price_table(default_config, report);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ std::string rays_verdict(const ErrorReport& report) {
   const auto wrong = [](const ErrorCounts& counts) {
     return counts.ordinary().wrong() + counts.aimed().wrong();
   };
-  const auto& own = find(default_config);
-  const auto& fastest = find(price_of_default(report).fastest);
+  const auto& own = find(report.pictures_config);
+  const auto& fastest = find(price_of(report.pictures_config, report).fastest);
   const std::uint64_t rays = own.counts.ordinary().rays + own.counts.aimed().rays;
   const double slower = own.ns / fastest.ns - 1.0;
   return fmt::format(

@@ -141,6 +141,21 @@ TEST_P(HitsTest, RaysAlongAxesThroughCornersOfEveryShapeFindWhatTheBinaryTreeFin
   expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
 }
 
+TEST_P(HitsTest, ARayBesideARoundShapeByLessThanRoundingFindsWhatTheBinaryTreeFinds) {
+  Scene scene;
+  scene.materials.resize(1);
+  add_sphere(scene, 0, {Vec3(0.0f), 0.5f});
+  add_sphere(scene, 0, {Vec3(8.0f), 0.5f});
+  std::vector<Ray> rays;
+  for (int i = 0; i < 32; ++i) {  // so many along the lowest point of the first
+    rays.push_back({{-12.0f, 12.0f, -0.5f}, {1.0f, -1.0f, i % 2 == 0 ? -0x1p-72f : -0x1p-110f}});
+  }
+  const auto tree = build_scene_tree(scene, {});
+  NoObserver none;
+  ASSERT_EQ(closest_hit({scene, *tree}, rays[0], {}, none).object, 0u);
+  expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
+}
+
 TEST_P(HitsTest, WithoutAnAcceleratorRaysGoThroughTheBinaryTree) {
   Random random(6);
   const Scene scene = test::random_scene(100, 16);
