@@ -20,7 +20,7 @@ float hit_margin_of(const Scene& scene, std::uint32_t id, const Aabb& box) {
   const Object& object = scene.objects[id];
   if (object.kind == ObjectKind::triangle) return 0.0f;
   const Vec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  const float rounding = 0x1p-20f * largest_component(far);
+  const float rounding = 0x1p-23f * largest_component(far);
   if (object.kind != ObjectKind::polygon) return rounding;
   const PolygonPlane& plane = scene.planes[scene.faces[object.shape].plane];
   const Vec3d slopes = glm::abs(plane.normal);
