@@ -9,6 +9,19 @@
 #include <optional>
 
 namespace bspview {
+namespace {
+
+/// An exception in one of two parallel works must not cut short the loops inside the other, which
+/// would go on with half of their results: each call is cancelled by its own exceptions only.
+class Alone {
+ public:
+  tbb::task_group_context& operator*() { return context_; }
+
+ private:
+  tbb::task_group_context context_{tbb::task_group_context::isolated};
+};
+
+}  // namespace
 
 int thread_count(int threads) {
   return threads > 0 ? threads : tbb::info::default_concurrency();
@@ -30,11 +43,11 @@ void parallel_for(int count, const std::function<void(int)>& body) {
       [&](const tbb::blocked_range<int>& range) {
         for (int i = range.begin(); i < range.end(); ++i) body(i);
       },
-      tbb::simple_partitioner());
+      tbb::simple_partitioner(), *Alone());
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
-  tbb::parallel_invoke(first, second);
+  tbb::parallel_invoke(first, second, *Alone());
 }
 
 }  // namespace bspview

@@ -35,5 +35,34 @@ TEST(Parallel, MoreThreadsThanCoresWorkAtTheSameTime) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
+/// Waits for the other work, not for ever: one thread may do both, one after the other.
+void wait_for(const std::atomic<bool>& flag) {
+  for (int i = 0; i < 1000000 && !flag; ++i) std::this_thread::yield();
+}
+
+TEST(Parallel, AnExceptionBesideItDoesNotCutALoopShort) {
+  struct Failure {};
+  int short_loops = 0;
+  for (int run = 0; run < 5; ++run) {
+    std::atomic<bool> begun = false, failing = false;
+    const auto loops = [&] {
+      wait_for(begun);
+      for (int i = 0; i < 1000; ++i) {
+        std::atomic<int> visited = 0;
+        parallel_for(64, [&](int) { ++visited; });
+        short_loops += visited != 64;
+        if (i == 5) failing = true;
+      }
+    };
+    const auto fail = [&] {
+      begun = true;
+      wait_for(failing);
+      throw Failure{};
+    };
+    with_threads(2, [&] { EXPECT_THROW(parallel_invoke(loops, fail), Failure); });
+  }
+  EXPECT_EQ(short_loops, 0);
+}
+
 }  // namespace
 }  // namespace bspview
