@@ -16,7 +16,7 @@ bool is_triangle(const Scene& scene, std::uint32_t object) {
 
 /// How far what counts as a hit may lie beside an object's box. Triangles are decided exactly; the
 /// tests of round shapes round, and polygons are met where their vertices are off their plane.
-float hit_margin_of(const Scene& scene, std::uint32_t id, const Aabb& box) {
+float margin_around(const Scene& scene, std::uint32_t id, const Aabb& box) {
   const Object& object = scene.objects[id];
   if (object.kind == ObjectKind::triangle) return 0.0f;
   const Vec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
@@ -31,7 +31,7 @@ float hit_margin_of(const Scene& scene, std::uint32_t id, const Aabb& box) {
 Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
   const Aabb box = object_bounds(scene, id);
   if (box.empty()) return box;
-  const float margin = hit_margin_of(scene, id, box);
+  const float margin = margin_around(scene, id, box);
   return margin > 0.0f ? Aabb{box.lo - margin, box.hi + margin} : box;
 }
 

@@ -91,9 +91,8 @@ std::uint32_t count_leaves_here(const World& world, const Ray& ray, const TraceR
 
 std::uint32_t walk_leaves_here(const World& world, const Ray& ray, std::uint32_t leaves) {
   if (!is_plain(ray)) return no_leaf;
-  const RayQuery query = ExactShapes::query(world, ray);
   const WideRay wide(ray);
-  std::uint32_t last = query.size > 0.0f && wide.t_min >= 0.0f ? 0 : no_leaf;
+  std::uint32_t last = wide.near_row[0] == 0 ? 0 : no_leaf;  // of the ray, lest it be left out
   if (leaves == 0) return last;
   float reach = ray.t_max;
   traverse_wide(world.accelerator->tree(), wide, reach, [&](std::uint32_t child) {

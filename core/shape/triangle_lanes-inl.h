@@ -1,6 +1,6 @@
-// The triangle test for several rays at once, one in each lane: as hit_triangle and
-// hit_triangle_plane (core/shape/triangle.h), bit for bit. Included once for every instruction set
-// that Highway (hwy/foreach_target.h) compiles for.
+// Where several rays, one in each lane, meet the plane of a triangle: as hit_triangle_plane
+// (core/shape/triangle.h), bit for bit. Included once for every instruction set that Highway
+// (hwy/foreach_target.h) compiles for.
 
 #if defined(BSPVIEW_TRIANGLE_LANES) == defined(HWY_TARGET_TOGGLE)
 #ifdef BSPVIEW_TRIANGLE_LANES
@@ -53,38 +53,6 @@ HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, unsigned lanes) {
   const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(lanes),
                                  static_cast<std::uint8_t>(lanes >> 8)};
   return hn::LoadMaskBits(tag, bytes);
-}
-
-/// Lanes by what the signs of the edge functions say.
-struct Insides {
-  unsigned sure;  ///< surely inside
-  unsigned open;  ///< too close to an edge to tell
-};
-
-/// See hit_triangle: the same operations, so that lanes are open where that test is.
-HWY_INLINE Insides find_insides(const RayLanes& rays, const Vec3* vertices) {
-  const int kx = rays.kx, ky = rays.ky, kz = rays.kz;
-  const FloatV ox = load(rays.origin[kx]), oy = load(rays.origin[ky]), oz = load(rays.origin[kz]);
-  const FloatV shear_x = load(rays.shear_x), shear_y = load(rays.shear_y);
-  FloatV x[3], y[3];
-  for (int i = 0; i < 3; ++i) {
-    const FloatV z = hn::Sub(all(component(vertices[i], kz)), oz);
-    x[i] = hn::Sub(hn::Sub(all(component(vertices[i], kx)), ox), hn::Mul(shear_x, z));
-    y[i] = hn::Sub(hn::Sub(all(component(vertices[i], ky)), oy), hn::Mul(shear_y, z));
-  }
-  const auto area = [&](int p, int q) { return hn::Sub(hn::Mul(x[p], y[q]), hn::Mul(y[p], x[q])); };
-  const auto size = [&](int p) { return hn::Add(hn::Abs(x[p]), hn::Abs(y[p])); };
-  const FloatV u = area(2, 1), v = area(0, 2), w = area(1, 0);
-  const FloatV s = hn::Max(hn::Max(size(0), size(1)), size(2));
-  const float r = rays.reach_error;
-  const FloatV slope = hn::Add(all(18.0f * r), hn::Mul(all(4.0f * unit_roundoff), s));
-  const FloatV bound = hn::Add(hn::Mul(slope, s), all(160.0f * r * r + 0x1p-120f));
-  const FloatV least = hn::Min(u, hn::Min(v, w)), most = hn::Max(u, hn::Max(v, w));
-  const FloatV below = hn::Neg(bound);
-  const auto outside = hn::And(hn::Lt(least, below), hn::Gt(most, bound));
-  const auto inside = hn::Or(hn::Gt(least, bound), hn::Lt(most, below));
-  const unsigned sure = bits_of(floats, inside);
-  return {sure, ~(sure | bits_of(floats, outside)) & rays.active};
 }
 
 /// Lanes that hit the plane of a triangle, and those where double cannot tell.
