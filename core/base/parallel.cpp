@@ -6,6 +6,7 @@
 #include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace bspview {
@@ -44,6 +45,14 @@ void parallel_for(int count, const std::function<void(int)>& body) {
         for (int i = range.begin(); i < range.end(); ++i) body(i);
       },
       tbb::simple_partitioner(), *Alone());
+}
+
+void parallel_ranges(std::size_t count, std::size_t step,
+                     const std::function<void(std::size_t first, std::size_t last)>& body) {
+  parallel_for(static_cast<int>((count + step - 1) / step), [&](int i) {
+    const std::size_t first = static_cast<std::size_t>(i) * step;
+    body(first, std::min(count, first + step));
+  });
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 namespace bspview {
@@ -12,6 +13,11 @@ void with_threads(int threads, const std::function<void()>& work);
 
 /// Runs body(0) ... body(count - 1), in any order, on the threads of the enclosing with_threads.
 void parallel_for(int count, const std::function<void(int)>& body);
+
+/// Runs body(first, last) for ranges of `step` indices, the last one shorter, that together are 0
+/// ... count - 1, in any order.
+void parallel_ranges(std::size_t count, std::size_t step,
+                     const std::function<void(std::size_t first, std::size_t last)>& body);
 
 /// Runs both, possibly at the same time; returns when both are done.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);

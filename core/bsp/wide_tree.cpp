@@ -3,185 +3,232 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/bsp/joined_tree.h"
 
 namespace bspview {
 namespace {
 
-/// The objects below a node while they can be one leaf.
-class FewObjects {
+/// The cells that a node of the binary tree is replaced by: again and again the largest is split,
+/// while there is room.
+class NodeCells {
  public:
-  static FewObjects none_joined() {
-    FewObjects objects;
-    objects.are_few_ = false;
-    return objects;
-  }
-
-  bool are_few() const { return are_few_; }
-  std::span<const std::uint32_t> ids() const { return {ids_.data(), count_}; }
-
-  void add(std::uint32_t object) {
-    if (std::ranges::find(ids(), object) != ids().end()) return;
-    if (count_ == ids_.size()) {
-      are_few_ = false;
-    } else {
-      ids_[count_++] = object;
+  NodeCells(const JoinedTree& tree, std::uint32_t index) : tree_(tree) {
+    add(index);
+    for (int split = largest(); split >= 0 && size_ < WideNode::width; split = largest()) {
+      const JoinedNode& node = tree_.nodes[nodes_[split]];
+      --size_;
+      for (int i = split; i < size_; ++i) {
+        nodes_[i] = nodes_[i + 1];
+        areas_[i] = areas_[i + 1];
+      }
+      add(node.first);
+      add(node.other);
     }
   }
-  void add(const FewObjects& others) {
-    are_few_ = are_few_ && others.are_few_;
-    for (const std::uint32_t object : others.ids()) add(object);
-  }
+
+  int size() const { return size_; }
+  /// Indices in the binary tree.
+  std::uint32_t operator[](int i) const { return nodes_[i]; }
 
  private:
-  std::array<std::uint32_t, most_joined_objects> ids_;
-  std::size_t count_ = 0;
-  bool are_few_ = true;
+  static constexpr float not_to_be_split = -1.0f;
+
+  void add(std::uint32_t index) {
+    const JoinedNode& node = tree_.nodes[index];
+    nodes_[size_] = index;
+    areas_[size_] = node.is_leaf() ? not_to_be_split : half_area(node.box);
+    ++size_;
+  }
+
+  /// The first of the largest cells that can be split, or -1.
+  int largest() const {
+    int found = -1;
+    float area = not_to_be_split;
+    for (int i = 0; i < size_; ++i) {
+      if (!(areas_[i] > area)) continue;
+      found = i;
+      area = areas_[i];
+    }
+    return found;
+  }
+
+  const JoinedTree& tree_;
+  std::uint32_t nodes_[WideNode::width];
+  float areas_[WideNode::width];
+  int size_ = 0;
 };
 
-class Widener {
- public:
-  Widener(const Tree& tree, std::span<const Aabb> boxes, const WideLeaves& leaves,
-          std::stop_token stop)
-      : tree_(tree),
-        boxes_(boxes),
-        leaves_(leaves),
-        stop_(std::move(stop)),
-        parts_(tree.nodes.size()) {}
+void set_bounds(WideNode& node, int slot, const Aabb& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    node.bounds[2 * axis][slot] = box.lo[axis];
+    node.bounds[2 * axis + 1][slot] = box.hi[axis];
+  }
+}
 
-  std::optional<WideTree> make() {
-    look_at(0, tree_.box);
-    if (is_leaf(0)) {
-      make_node(parts_[0].box.empty() ? Slots{} : Slots{0});
-    } else {
-      make_node(slots_below(0));
+bool is_used(const WideNode& node, int slot) {
+  return node.bounds[0][slot] <= node.bounds[1][slot];
+}
+
+WideNode without_cells() {
+  WideNode node{};
+  for (int slot = 0; slot < WideNode::width; ++slot) set_bounds(node, slot, {});
+  return node;
+}
+
+/// A node with nothing but the bounds of its cells.
+WideNode make_node(const JoinedTree& tree, const NodeCells& cells) {
+  WideNode node = without_cells();
+  for (int slot = 0; slot < cells.size(); ++slot) {
+    set_bounds(node, slot, tree.nodes[cells[slot]].box);
+  }
+  return node;
+}
+
+/// A branch of the wide tree, counted from 0, for one thread to make; or a node near the root.
+struct Piece {
+  std::uint32_t root = 0;  ///< in the binary tree
+  bool is_lone = false;    ///< one node, whose children are the numbers of pieces
+  std::vector<WideNode> nodes;
+  std::vector<WideLeaves::Range> leaves;
+  std::uint32_t first_node = 0, first_leaf = 0;  ///< in the whole
+  std::uint32_t name = 0;                        ///< of the child that leads to it
+};
+
+class PieceMaker {
+ public:
+  PieceMaker(const JoinedTree& tree, const std::stop_token& stop, Piece& piece)
+      : tree_(tree), stop_(stop), piece_(piece) {}
+
+  /// Answers the child.
+  std::uint32_t make(std::uint32_t index) {
+    if (tree_.nodes[index].is_leaf()) return make_leaf(tree_.nodes[index]);
+    const auto place = static_cast<std::uint32_t>(piece_.nodes.size());
+    if (stop_.stop_requested()) return place;
+    const NodeCells cells(tree_, index);
+    piece_.nodes.push_back(make_node(tree_, cells));
+    for (int slot = 0; slot < cells.size(); ++slot) {
+      const std::uint32_t child = make(cells[slot]);
+      piece_.nodes[place].child[slot] = child;
     }
-    if (stop_.stop_requested()) return {};
-    return std::move(wide_);
+    return place;
   }
 
  private:
-  /// What is below a node of the binary tree.
-  struct Part {
-    Aabb box;  ///< of the parts of objects in its cell
-    bool is_one_leaf = false;
-  };
-  using Slots = std::vector<std::uint32_t>;  // nodes of the binary tree
-
-  bool is_leaf(std::uint32_t index) const {
-    return tree_.nodes[index].is_leaf() || parts_[index].is_one_leaf;
+  std::uint32_t make_leaf(const JoinedNode& leaf) {
+    piece_.leaves.push_back({leaf.first, leaf.other});
+    return WideNode::leaf_bit | static_cast<std::uint32_t>(piece_.leaves.size() - 1);
   }
 
-  /// Fills parts_ for a node and everything below.
-  FewObjects look_at(std::uint32_t index, const Aabb& cell) {
-    const Node& node = tree_.nodes[index];
+  const JoinedTree& tree_;
+  const std::stop_token& stop_;
+  Piece& piece_;
+};
+
+/// Plans the pieces, makes them and puts them together, depth first all along.
+class Widener {
+ public:
+  Widener(const JoinedTree& tree, const std::stop_token& stop) : tree_(tree), stop_(stop) {
+    constexpr std::uint32_t worth_a_piece = 512, most_pieces = 256;  // about
+    if (!tree.nodes.empty()) {
+      most_inner_ = std::max(worth_a_piece, tree.nodes.back().inner / most_pieces);
+    }
+  }
+
+  std::optional<Widened> widen() {
+    plan_root();
+    for_each_piece([&](Piece& piece) {
+      if (!piece.is_lone) PieceMaker(tree_, stop_, piece).make(piece.root);
+    });
     if (stop_.stop_requested()) return {};
-    if (node.is_leaf()) return look_at_leaf(index, cell);
-    const Cells cells = split_cell(cell, node.axis(), node.split());
-    FewObjects objects = look_at(node.left(), cells.left);
-    objects.add(look_at(node.right(), cells.right));
-    parts_[index] = {parts_[node.left()].box, objects.are_few()};
-    if (!parts_[node.right()].box.empty()) parts_[index].box.grow(parts_[node.right()].box);
-    return objects;
+    place();
+    for_each_piece([&](Piece& piece) { move_in(piece); });
+    if (stop_.stop_requested()) return {};
+    return std::move(widened_);
   }
 
-  FewObjects look_at_leaf(std::uint32_t index, const Aabb& cell) {
-    FewObjects objects;
-    bool can_join = true;
-    for (const std::uint32_t object : tree_.objects_of(tree_.nodes[index])) {
-      parts_[index].box.grow(intersection(boxes_[object], cell));
-      objects.add(object);
-      can_join = can_join && leaves_.joins(object);
+ private:
+  void plan_root() {
+    if (!tree_.nodes.empty()) {
+      plan_lone(static_cast<std::uint32_t>(tree_.nodes.size() - 1));
+    } else {
+      pieces_.push_back({.is_lone = true, .nodes = {without_cells()}});
     }
-    return can_join ? objects : FewObjects::none_joined();
   }
 
-  /// The cells that a node is replaced by: again and again the largest is split, while there is
-  /// room.
-  Slots slots_below(std::uint32_t index) const {
-    Slots slots;
-    add_children(index, slots);
-    for (;;) {
-      const auto has_room = [&](std::uint32_t slot) {
-        return !is_leaf(slot) && slots.size() + full_children(slot) <= WideNode::width + 1;
-      };
-      auto largest = slots.end();
-      for (auto slot = slots.begin(); slot != slots.end(); ++slot) {
-        if (!has_room(*slot)) continue;
-        const bool is_larger = largest == slots.end() ||
-                               half_area(parts_[*slot].box) > half_area(parts_[*largest].box);
-        if (is_larger) largest = slot;
+  std::uint32_t plan(std::uint32_t index) {
+    if (tree_.nodes[index].inner > most_inner_) return plan_lone(index);
+    pieces_.emplace_back().root = index;
+    return static_cast<std::uint32_t>(pieces_.size() - 1);
+  }
+
+  /// Answers the number of the piece.
+  std::uint32_t plan_lone(std::uint32_t index) {
+    const auto number = static_cast<std::uint32_t>(pieces_.size());
+    pieces_.emplace_back().is_lone = true;
+    const NodeCells cells(tree_, index);
+    WideNode node = make_node(tree_, cells);
+    for (int slot = 0; slot < cells.size(); ++slot) node.child[slot] = plan(cells[slot]);
+    pieces_[number].nodes.push_back(node);
+    return number;
+  }
+
+  template <class Work>
+  void for_each_piece(const Work& work) {
+    parallel_for(static_cast<int>(pieces_.size()), [&](int i) {
+      if (!stop_.stop_requested()) work(pieces_[static_cast<std::size_t>(i)]);
+    });
+  }
+
+  void place() {
+    std::size_t nodes = 0, leaves = 0;
+    for (Piece& piece : pieces_) {
+      piece.first_node = static_cast<std::uint32_t>(nodes);
+      piece.first_leaf = static_cast<std::uint32_t>(leaves);
+      piece.name = piece.nodes.empty() ? WideNode::leaf_bit | piece.first_leaf : piece.first_node;
+      nodes += piece.nodes.size();
+      leaves += piece.leaves.size();
+    }
+    widened_.tree.nodes.resize(nodes);
+    widened_.leaves.ranges.resize(leaves);
+  }
+
+  void move_in(Piece& piece) {
+    WideNode* to = widened_.tree.nodes.data() + piece.first_node;
+    for (WideNode node : piece.nodes) {
+      for (int slot = 0; slot < WideNode::width && is_used(node, slot); ++slot) {
+        node.child[slot] = moved(piece, node.child[slot]);
       }
-      if (largest == slots.end()) return slots;
-      const std::uint32_t split = *largest;
-      slots.erase(largest);
-      add_children(split, slots);
+      *to++ = node;
     }
+    std::ranges::copy(piece.leaves, widened_.leaves.ranges.data() + piece.first_leaf);
+    piece.nodes = {};
+    piece.leaves = {};
   }
 
-  bool is_full(std::uint32_t index) const { return !parts_[index].box.empty(); }
-  std::size_t full_children(std::uint32_t index) const {
-    const Node& node = tree_.nodes[index];
-    return std::size_t{is_full(node.left())} + std::size_t{is_full(node.right())};
-  }
-  void add_children(std::uint32_t index, Slots& slots) const {
-    const Node& node = tree_.nodes[index];
-    if (is_full(node.left())) slots.push_back(node.left());
-    if (is_full(node.right())) slots.push_back(node.right());
+  std::uint32_t moved(const Piece& piece, std::uint32_t child) const {
+    if (piece.is_lone) return pieces_[child].name;
+    return child + (child & WideNode::leaf_bit ? piece.first_leaf : piece.first_node);
   }
 
-  std::uint32_t make_node(const Slots& slots) {
-    const auto index = static_cast<std::uint32_t>(wide_.nodes.size());
-    if (stop_.stop_requested()) return index;
-    wide_.nodes.emplace_back();
-    WideNode node{};
-    for (int slot = 0; slot < WideNode::width; ++slot) {
-      const bool is_used = static_cast<std::size_t>(slot) < slots.size();
-      const Aabb box = is_used ? parts_[slots[static_cast<std::size_t>(slot)]].box : Aabb{};
-      for (int axis = 0; axis < 3; ++axis) {
-        node.bounds[2 * axis][slot] = box.lo[axis];
-        node.bounds[2 * axis + 1][slot] = box.hi[axis];
-      }
-      if (is_used) node.child[slot] = make_child(slots[static_cast<std::size_t>(slot)]);
-    }
-    wide_.nodes[index] = node;
-    return index;
-  }
-
-  std::uint32_t make_child(std::uint32_t index) {
-    if (!is_leaf(index)) return make_node(slots_below(index));
-    objects_.clear();
-    gather(index);
-    std::ranges::sort(objects_);
-    const auto behind = std::ranges::unique(objects_);
-    objects_.erase(behind.begin(), behind.end());
-    return WideNode::leaf_bit | leaves_.make(objects_);
-  }
-
-  void gather(std::uint32_t index) {
-    const Node& node = tree_.nodes[index];
-    if (node.is_leaf()) {
-      const auto objects = tree_.objects_of(node);
-      objects_.insert(objects_.end(), objects.begin(), objects.end());
-      return;
-    }
-    gather(node.left());
-    gather(node.right());
-  }
-
-  const Tree& tree_;
-  const std::span<const Aabb> boxes_;
-  const WideLeaves& leaves_;
-  const std::stop_token stop_;
-  std::vector<Part> parts_;             // by node
-  std::vector<std::uint32_t> objects_;  // of the leaf that is made
-  WideTree wide_;
+  const JoinedTree& tree_;
+  const std::stop_token& stop_;
+  std::uint32_t most_inner_ = 0;  // nodes of the binary tree below a piece
+  std::vector<Piece> pieces_;
+  Widened widened_;
 };
 
 }  // namespace
 
-std::optional<WideTree> make_wide_tree(const Tree& tree, std::span<const Aabb> boxes,
-                                       const WideLeaves& leaves, std::stop_token stop) {
-  return Widener(tree, boxes, leaves, std::move(stop)).make();
+std::optional<Widened> widen(const Tree& tree, std::span<const WideObject> objects,
+                             std::stop_token stop) {
+  JoinedTree joined = join_leaves(tree, objects, stop);
+  if (stop.stop_requested()) return {};
+  std::optional<Widened> widened = Widener(joined, stop).widen();
+  if (widened) widened->leaves.objects = std::move(joined.objects);
+  return widened;
 }
 
 }  // namespace bspview

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
-#include <vector>
 
+#include "core/base/raw_vector.h"
 #include "core/bsp/tree.h"
 
 namespace bspview {
@@ -25,24 +24,46 @@ struct alignas(32) WideNode {
 /// three or more steps of the binary tree, most of them mispredicted, is one step here. Its cells
 /// are disjoint as those of the binary tree: whatever a ray hits in the nearest is the nearest hit.
 struct WideTree {
-  std::vector<WideNode> nodes;  ///< nodes[0] is the root; a lone leaf is its only child
+  /// Depth first, so that a branch lies together. nodes[0] is the root; a lone leaf is its only
+  /// child.
+  RawVector<WideNode> nodes;
 
   std::size_t bytes() const { return nodes.size() * sizeof(WideNode); }
 };
 
-/// What the leaves of a wide tree are.
+/// The objects of the leaves of a wide tree, the leaves in the order of the nodes.
 struct WideLeaves {
-  /// Stores the objects of a leaf (ascending ids, at least one) and answers its name, < leaf_bit.
-  std::function<std::uint32_t(std::span<const std::uint32_t> objects)> make;
-  /// Whether leaves that hold this object may be joined with their neighbours: where
-  /// most_joined_objects at once cost no more than one.
-  std::function<bool(std::uint32_t object)> joins;
+  struct Range {
+    std::uint32_t first, count;  ///< of `objects`
+  };
+
+  std::size_t size() const { return ranges.size(); }
+  /// Ascending ids, at least one.
+  std::span<const std::uint32_t> operator[](std::size_t leaf) const {
+    return std::span(objects).subspan(ranges[leaf].first, ranges[leaf].count);
+  }
+
+  RawVector<Range> ranges;  ///< by leaf
+  RawVector<std::uint32_t> objects;
 };
+
+/// What a wide tree has to know of an object.
+struct WideObject {
+  Aabb box;            ///< as the tree was built with, or larger
+  bool joins = false;  ///< leaves of few such objects may become one, see most_joined_objects
+};
+
+/// Leaves are joined where so many objects at once cost no more than one.
 inline constexpr int most_joined_objects = 8;
 
-/// `boxes`: one an object, as the tree was built with or larger. Null soon after a stop is
+struct Widened {
+  WideTree tree;  ///< its leaves are named by their number
+  WideLeaves leaves;
+};
+
+/// The same for any number of threads (of the enclosing with_threads). Nothing soon after a stop is
 /// requested.
-std::optional<WideTree> make_wide_tree(const Tree& tree, std::span<const Aabb> boxes,
-                                       const WideLeaves& leaves, std::stop_token stop = {});
+std::optional<Widened> widen(const Tree& tree, std::span<const WideObject> objects,
+                             std::stop_token stop = {});
 
 }  // namespace bspview

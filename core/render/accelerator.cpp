@@ -5,10 +5,14 @@
 #include <new>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/base/timer.h"
 
 namespace bspview {
 namespace {
+
+// Objects, leaves or nodes between two looks at the stop token: each well below a millisecond.
+constexpr std::size_t range_size = 1024;
 
 bool is_triangle(const Scene& scene, std::uint32_t object) {
   return scene.objects[object].kind == ObjectKind::triangle;
@@ -35,61 +39,155 @@ Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
   return margin > 0.0f ? Aabb{box.lo - margin, box.hi + margin} : box;
 }
 
-std::vector<Aabb> hit_bounds(const Scene& scene) {
-  std::vector<Aabb> boxes;
-  boxes.reserve(scene.objects.size());
-  for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
-    boxes.push_back(hit_bounds(scene, id));
-  }
-  return boxes;
+RawVector<WideObject> wide_objects(const Scene& scene, const std::stop_token& stop) {
+  RawVector<WideObject> objects;
+  objects.resize(scene.objects.size());
+  parallel_ranges(objects.size(), range_size, [&](std::size_t first, std::size_t last) {
+    if (stop.stop_requested()) return;
+    for (std::size_t i = first; i < last; ++i) {
+      const auto id = static_cast<std::uint32_t>(i);
+      objects[i] = {hit_bounds(scene, id), is_triangle(scene, id)};
+    }
+  });
+  return objects;
 }
 
-TriangleBlock make_block(const Scene& scene, std::span<const std::uint32_t> triangles) {
-  TriangleBlock block;
-  for (std::size_t slot = 0; slot < TriangleBlock::width; ++slot) {
-    const bool is_used = slot < triangles.size();
-    block.object[slot] = is_used ? triangles[slot] : no_index;
-    const Vec3* corners = nullptr;
-    if (is_used) {
-      const Face& face = scene.faces[scene.objects[triangles[slot]].shape];
-      corners = &scene.vertices[face.first_vertex];
-    }
-    for (int vertex = 0; vertex < 3; ++vertex) {
-      for (int axis = 0; axis < 3; ++axis) {
-        block.vertices[vertex][axis][slot] =
-            is_used ? corners[vertex][axis] : std::numeric_limits<float>::quiet_NaN();
-      }
+/// no_index: nothing, which no ray hits.
+void set_slot(const Scene& scene, TriangleBlock& block, std::size_t slot, std::uint32_t triangle) {
+  const Vec3* corners = nullptr;
+  if (triangle != no_index) {
+    corners = &scene.vertices[scene.faces[scene.objects[triangle].shape].first_vertex];
+  }
+  block.object[slot] = triangle;
+  for (int vertex = 0; vertex < 3; ++vertex) {
+    for (int axis = 0; axis < 3; ++axis) {
+      block.vertices[vertex][axis][slot] =
+          corners ? corners[vertex][axis] : std::numeric_limits<float>::quiet_NaN();
     }
   }
-  return block;
 }
 
 }  // namespace
 
-std::uint32_t Accelerator::make_leaf(const Scene& scene, std::span<const std::uint32_t> objects) {
-  std::vector<std::uint32_t> triangles;
-  WideLeaf leaf{static_cast<std::uint32_t>(blocks_.size()), 0,
-                static_cast<std::uint32_t>(others_.size()), 0};
-  for (const std::uint32_t object : objects) {
-    (is_triangle(scene, object) ? triangles : others_).push_back(object);
+/// Lays out the objects of all leaves, leaf after leaf: ranges of leaves are measured, then each
+/// knows its place.
+class Accelerator::LeafMaker {
+ public:
+  LeafMaker(const Scene& scene, const WideLeaves& leaves, Accelerator& accelerator)
+      : scene_(scene), leaves_(leaves), made_(accelerator) {
+    names_.resize(leaves.size());
+    ranges_.resize((leaves.size() + range_size - 1) / range_size);
   }
-  add_blocks(scene, triangles);
-  leaf.block_count = static_cast<std::uint32_t>(blocks_.size()) - leaf.first_block;
-  leaf.other_count = static_cast<std::uint32_t>(others_.size()) - leaf.first_other;
-  const bool is_short =
-      leaf.block_count <= most_blocks && leaf.first_block < mixed_bit >> count_bits;
-  if (leaf.other_count == 0 && is_short) return leaf.first_block << count_bits | leaf.block_count;
-  mixed_.push_back(leaf);
-  return mixed_bit | static_cast<std::uint32_t>(mixed_.size() - 1);
-}
 
-void Accelerator::add_blocks(const Scene& scene, std::span<const std::uint32_t> triangles) {
-  while (!triangles.empty()) {
-    const std::size_t count = std::min<std::size_t>(TriangleBlock::width, triangles.size());
-    blocks_.push_back(make_block(scene, triangles.first(count)));
-    triangles = triangles.subspan(count);
+  void make(const std::stop_token& stop) {
+    parallel_ranges(leaves_.size(), range_size, [&](std::size_t first, std::size_t last) {
+      Sizes& range = ranges_[first / range_size];
+      for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {
+        range.add(sizes_of(leaves_[i]));
+      }
+    });
+    make_room();
+    parallel_ranges(leaves_.size(), range_size, [&](std::size_t first, std::size_t last) {
+      Sizes place = ranges_[first / range_size];
+      for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {
+        names_[i] = make_leaf(leaves_[i], place);
+      }
+    });
+    rename(stop);
   }
-}
+
+ private:
+  /// Of a leaf or several; or what comes before them.
+  struct Sizes {
+    std::size_t blocks = 0, others = 0, mixed = 0;
+
+    void add(const Sizes& more) {
+      blocks += more.blocks;
+      others += more.others;
+      mixed += more.mixed;
+    }
+  };
+
+  Sizes sizes_of(std::span<const std::uint32_t> objects) const {
+    const auto is_one = [&](std::uint32_t id) { return is_triangle(scene_, id); };
+    const auto triangles = static_cast<std::size_t>(std::ranges::count_if(objects, is_one));
+    Sizes sizes{(triangles + TriangleBlock::width - 1) / TriangleBlock::width,
+                objects.size() - triangles, 0};
+    sizes.mixed = is_mixed(sizes.blocks, sizes.others) ? 1 : 0;
+    return sizes;
+  }
+
+  /// Turns the sizes of the ranges into what comes before them.
+  void make_room() {
+    Sizes whole;
+    for (Sizes& range : ranges_) {
+      const Sizes before = whole;
+      whole.add(range);
+      range = before;
+    }
+    all_mixed_ = whole.blocks >= mixed_bit >> count_bits;
+    if (all_mixed_) {
+      for (std::size_t i = 0; i < ranges_.size(); ++i) ranges_[i].mixed = i * range_size;
+      whole.mixed = leaves_.size();
+    }
+    made_.blocks_.resize(whole.blocks);
+    made_.others_.resize(whole.others);
+    made_.mixed_.resize(whole.mixed);
+  }
+
+  /// Answers the name of the leaf, and moves `place` behind it.
+  std::uint32_t make_leaf(std::span<const std::uint32_t> objects, Sizes& place) const {
+    WideLeaf leaf{static_cast<std::uint32_t>(place.blocks), 0,
+                  static_cast<std::uint32_t>(place.others), 0};
+    std::size_t triangles = 0;
+    const auto next_slot = [&](std::uint32_t id) {
+      TriangleBlock& block = made_.blocks_[leaf.first_block + triangles / TriangleBlock::width];
+      set_slot(scene_, block, triangles % TriangleBlock::width, id);
+      ++triangles;
+    };
+    for (const std::uint32_t id : objects) {
+      if (is_triangle(scene_, id)) {
+        next_slot(id);
+      } else {
+        made_.others_[place.others++] = id;
+      }
+    }
+    while (triangles % TriangleBlock::width != 0) next_slot(no_index);
+    leaf.block_count = static_cast<std::uint32_t>(triangles / TriangleBlock::width);
+    leaf.other_count = static_cast<std::uint32_t>(place.others) - leaf.first_other;
+    place.blocks += leaf.block_count;
+    if (!is_mixed(leaf.block_count, leaf.other_count)) {
+      return leaf.first_block << count_bits | leaf.block_count;
+    }
+    made_.mixed_[place.mixed] = leaf;
+    return mixed_bit | static_cast<std::uint32_t>(place.mixed++);
+  }
+
+  bool is_mixed(std::size_t blocks, std::size_t others) const {
+    return all_mixed_ || others > 0 || blocks > most_blocks;
+  }
+
+  /// The leaves of the wide tree are named by their number so far.
+  void rename(const std::stop_token& stop) const {
+    RawVector<WideNode>& nodes = made_.tree_.nodes;
+    parallel_ranges(nodes.size(), range_size, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last && !stop.stop_requested(); ++i) {
+        for (std::uint32_t& child : nodes[i].child) {
+          if (child & WideNode::leaf_bit) {
+            child = WideNode::leaf_bit | names_[child & ~WideNode::leaf_bit];
+          }
+        }
+      }
+    });
+  }
+
+  const Scene& scene_;
+  const WideLeaves& leaves_;
+  Accelerator& made_;
+  bool all_mixed_ = false;          // there are more blocks than short names can tell apart
+  std::vector<Sizes> ranges_;       // of leaves: sizes, then places
+  RawVector<std::uint32_t> names_;  // by leaf, without the bit of leaves
+};
 
 std::size_t Accelerator::bytes() const {
   return tree_.bytes() + blocks_.size() * sizeof(TriangleBlock) +
@@ -99,15 +197,15 @@ std::size_t Accelerator::bytes() const {
 std::shared_ptr<const Accelerator> make_accelerator(const World& world, std::stop_token stop) {
   if (world.tree.naive) return nullptr;
   const Timer timer;
-  const Scene& scene = world.scene;
   try {
-    const auto accelerator = std::make_shared<Accelerator>();
-    const WideLeaves leaves{
-        [&](std::span<const std::uint32_t> ids) { return accelerator->make_leaf(scene, ids); },
-        [&](std::uint32_t id) { return is_triangle(scene, id); }};
-    auto tree = make_wide_tree(world.tree, hit_bounds(scene), leaves, std::move(stop));
-    if (!tree) return nullptr;
-    accelerator->tree_ = *std::move(tree);
+    auto accelerator = std::make_shared<Accelerator>();
+    with_threads(world.tree.params.threads, [&] {
+      auto widened = widen(world.tree, wide_objects(world.scene, stop), stop);
+      if (!widened) return;
+      accelerator->tree_ = std::move(widened->tree);
+      Accelerator::LeafMaker(world.scene, widened->leaves, *accelerator).make(stop);
+    });
+    if (stop.stop_requested()) return nullptr;
     accelerator->build_seconds_ = timer.seconds();
     return accelerator;
   } catch (const std::bad_alloc&) {

@@ -41,13 +41,12 @@ class Accelerator {
   static constexpr int count_bits = 5;
   static constexpr std::uint32_t most_blocks = (1u << count_bits) - 1u;
 
-  std::uint32_t make_leaf(const Scene& scene, std::span<const std::uint32_t> objects);
-  void add_blocks(const Scene& scene, std::span<const std::uint32_t> triangles);
+  class LeafMaker;
 
   WideTree tree_;
-  std::vector<TriangleBlock> blocks_;
-  std::vector<std::uint32_t> others_;
-  std::vector<WideLeaf> mixed_;
+  RawVector<TriangleBlock> blocks_;
+  RawVector<std::uint32_t> others_;
+  RawVector<WideLeaf> mixed_;
   double build_seconds_ = 0.0;
 };
 

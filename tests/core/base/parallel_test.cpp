@@ -21,6 +21,18 @@ TEST(Parallel, EveryIndexIsVisitedOnceForAnyNumberOfThreads) {
   }
 }
 
+TEST(Parallel, RangesTogetherAreEveryIndexOnce) {
+  for (const std::size_t count : {0u, 1u, 6u, 7u, 8u, 100u}) {
+    std::vector<std::atomic<int>> visits(count);
+    parallel_ranges(count, 7, [&](std::size_t first, std::size_t last) {
+      EXPECT_LT(first, last);
+      EXPECT_LE(last - first, 7u);
+      for (std::size_t i = first; i < last; ++i) ++visits[i];
+    });
+    for (const auto& times : visits) ASSERT_EQ(times, 1);
+  }
+}
+
 TEST(Parallel, MoreThreadsThanCoresWorkAtTheSameTime) {
   const int threads = thread_count(0) + 2;
   std::atomic<int> arrived = 0;

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
+#include "core/base/parallel.h"
 #include "core/bsp/build.h"
 #include "tests/support/random.h"
 
@@ -12,16 +15,21 @@ namespace {
 
 using test::Random;
 
-/// A tree over boxes, and its wide form with the leaves it asked for.
-struct Widened {
-  Widened(std::vector<Aabb> objects, const BuildParams& params, bool joins)
+/// What a wide tree is made of; every object joins others or none does.
+std::vector<WideObject> objects_in(std::span<const Aabb> boxes, bool joins) {
+  std::vector<WideObject> objects;
+  for (const Aabb& box : boxes) objects.push_back({box, joins});
+  return objects;
+}
+
+/// A tree over boxes, and its wide form.
+struct Wide {
+  Wide(std::vector<Aabb> objects, const BuildParams& params, bool joins)
       : boxes(std::move(objects)), tree(*build_tree({boxes, {}}, params)) {
-    const WideLeaves makers{[&](std::span<const std::uint32_t> ids) {
-                              leaves.emplace_back(ids.begin(), ids.end());
-                              return static_cast<std::uint32_t>(leaves.size() - 1);
-                            },
-                            [&](std::uint32_t) { return joins; }};
-    wide = *make_wide_tree(tree, boxes, makers);
+    const std::vector<WideObject> list = objects_in(boxes, joins);
+    Widened widened = *widen(tree, list);
+    wide = std::move(widened.tree);
+    leaves = std::move(widened.leaves);
   }
 
   /// Whether the wide tree leads to `object` at `point`.
@@ -50,8 +58,8 @@ struct Widened {
 
   std::vector<Aabb> boxes;
   Tree tree;
-  std::vector<std::vector<std::uint32_t>> leaves;
   WideTree wide;
+  WideLeaves leaves;
 };
 
 std::vector<Aabb> random_boxes(int count, float size, Random& random) {
@@ -78,7 +86,7 @@ TEST(WideTree, LeadsToEveryObjectFromEveryPointOfItsBox) {
   Random random(1);
   for (const Builder builder : {Builder::median, Builder::sah}) {
     for (const bool joins : {false, true}) {
-      const Widened widened(random_boxes(500, 0.2f, random), {.builder = builder}, joins);
+      const Wide widened(random_boxes(500, 0.2f, random), {.builder = builder}, joins);
       for (std::uint32_t object = 0; object < widened.boxes.size(); ++object) {
         const Aabb& box = widened.boxes[object];
         for (const Vec3 point : {box.lo, box.hi, point_in(box, random), point_in(box, random)}) {
@@ -91,11 +99,11 @@ TEST(WideTree, LeadsToEveryObjectFromEveryPointOfItsBox) {
 
 TEST(WideTree, HoldsNothingInSlotsWithoutACell) {
   Random random(2);
-  const Widened widened(random_boxes(200, 0.1f, random), {}, true);
+  const Wide widened(random_boxes(200, 0.1f, random), {}, true);
   std::size_t used = 0, empty = 0;
   for (const WideNode& node : widened.wide.nodes) {
     for (int slot = 0; slot < WideNode::width; ++slot) {
-      (Widened::box_of(node, slot).empty() ? empty : used) += 1;
+      (Wide::box_of(node, slot).empty() ? empty : used) += 1;
     }
   }
   EXPECT_EQ(used, widened.leaves.size() + widened.wide.nodes.size() - 1);  // each but the root
@@ -105,7 +113,7 @@ TEST(WideTree, HoldsNothingInSlotsWithoutACell) {
 TEST(WideTree, JoinsLeavesOfFewObjectsOnlyWhereTheyMay) {
   Random random(3);
   const std::vector<Aabb> boxes = random_boxes(300, 0.1f, random);
-  const Widened joined(boxes, {}, true), apart(boxes, {}, false);
+  const Wide joined(boxes, {}, true), apart(boxes, {}, false);
   EXPECT_LT(joined.leaves.size(), apart.leaves.size());
   std::size_t full = 0, largest = most_joined_objects;
   for (const Node& node : apart.tree.nodes) {
@@ -114,7 +122,8 @@ TEST(WideTree, JoinsLeavesOfFewObjectsOnlyWhereTheyMay) {
     largest = std::max<std::size_t>(largest, node.count());
   }
   EXPECT_EQ(apart.leaves.size(), full);
-  for (const auto& leaf : joined.leaves) {
+  for (std::size_t i = 0; i < joined.leaves.size(); ++i) {
+    const auto leaf = joined.leaves[i];
     EXPECT_LE(leaf.size(), largest);
     EXPECT_TRUE(std::ranges::is_sorted(leaf));
     EXPECT_EQ(std::ranges::adjacent_find(leaf), leaf.end());
@@ -122,10 +131,11 @@ TEST(WideTree, JoinsLeavesOfFewObjectsOnlyWhereTheyMay) {
 }
 
 TEST(WideTree, OfNothingOrOneThingHasOneNode) {
-  const Widened nothing({}, {}, true);
+  const Wide nothing({}, {}, true);
   EXPECT_EQ(nothing.wide.nodes.size(), 1u);
-  EXPECT_TRUE(nothing.leaves.empty());
-  const Widened one({{Vec3(0.0f), Vec3(1.0f)}}, {}, true);
+  EXPECT_EQ(nothing.leaves.size(), 0u);
+  EXPECT_FALSE(nothing.leads_to(0, Vec3(0.0f)));
+  const Wide one({{Vec3(0.0f), Vec3(1.0f)}}, {}, true);
   EXPECT_EQ(one.wide.nodes.size(), 1u);
   ASSERT_EQ(one.leaves.size(), 1u);
   EXPECT_TRUE(one.leads_to(0, Vec3(0.5f)));
@@ -137,9 +147,45 @@ TEST(WideTree, IsNotMadeOnceAStopIsRequested) {
   const Tree tree = *build_tree({boxes, {}}, {});
   std::stop_source stopper;
   stopper.request_stop();
-  const WideLeaves makers{[](std::span<const std::uint32_t>) { return 0u; },
-                          [](std::uint32_t) { return true; }};
-  EXPECT_FALSE(make_wide_tree(tree, boxes, makers, stopper.get_token()));
+  EXPECT_FALSE(widen(tree, objects_in(boxes, true), stopper.get_token()));
+}
+
+TEST(WideTree, IsTheSameForAnyNumberOfThreads) {
+  Random random(5);
+  const std::vector<Aabb> boxes = random_boxes(20000, 0.02f, random);
+  const Tree tree = *build_tree({boxes, {}}, {});
+  const std::vector<WideObject> objects = objects_in(boxes, true);
+  const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
+  std::optional<Widened> first;
+  for (const int threads : {1, 2, 3, 8}) {
+    std::optional<Widened> widened;
+    with_threads(threads, [&] { widened = widen(tree, objects); });
+    ASSERT_TRUE(widened);
+    if (!first) first = widened;
+    EXPECT_TRUE(std::ranges::equal(bytes(first->tree.nodes), bytes(widened->tree.nodes)));
+    EXPECT_TRUE(std::ranges::equal(bytes(first->leaves.ranges), bytes(widened->leaves.ranges)));
+    EXPECT_EQ(first->leaves.objects, widened->leaves.objects);
+  }
+}
+
+TEST(WideTree, LiesDepthFirstInMemory) {
+  Random random(6);
+  const Wide wide(random_boxes(20000, 0.02f, random), {}, true);
+  std::uint32_t nodes = 0, leaves = 0;
+  const auto visit = [&](const auto& self, std::uint32_t child) -> void {
+    if (child & WideNode::leaf_bit) {
+      ASSERT_EQ(child & ~WideNode::leaf_bit, leaves++);
+      return;
+    }
+    ASSERT_EQ(child, nodes++);
+    const WideNode& node = wide.wide.nodes[child];
+    for (int slot = 0; slot < WideNode::width; ++slot) {
+      if (!Wide::box_of(node, slot).empty()) self(self, node.child[slot]);
+    }
+  };
+  visit(visit, 0);
+  EXPECT_EQ(nodes, wide.wide.nodes.size());
+  EXPECT_EQ(leaves, wide.leaves.size());
 }
 
 }  // namespace

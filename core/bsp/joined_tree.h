@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+
+#include "core/base/raw_vector.h"
+#include "core/bsp/tree.h"
+#include "core/bsp/wide_tree.h"
+
+namespace bspview {
+
+struct JoinedNode {
+  Aabb box;             ///< of the parts of objects in its cell
+  std::uint32_t inner;  ///< inner nodes from here down; 0: it is a leaf
+  std::uint32_t first;  ///< left child; of a leaf: index of its first object
+  std::uint32_t other;  ///< right child; of a leaf: number of its objects
+
+  bool is_leaf() const { return inner == 0; }
+};
+
+/// A binary tree without empty leaves, whose leaves of few objects are joined with their
+/// neighbours where they may be.
+struct JoinedTree {
+  RawVector<JoinedNode> nodes;       ///< children come before their parents; the last is the root
+  RawVector<std::uint32_t> objects;  ///< ascending ids in every leaf
+};
+
+/// The same for any number of threads. Without use once a stop is requested.
+JoinedTree join_leaves(const Tree& tree, std::span<const WideObject> objects,
+                       const std::stop_token& stop);
+
+}  // namespace bspview
