@@ -68,7 +68,7 @@ Aabb root_box(const BuildJob& job) {
 
 /// 8 ulp of the largest coordinate: thinner cells would be rounding errors.
 double smallest_width(const Aabb& box) {
-  const double largest = largest_component(glm::max(glm::abs(box.lo), glm::abs(box.hi)));
+  const double largest = largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)));
   return std::max(8.0 * 0x1p-23 * largest, double{std::numeric_limits<float>::denorm_min()});
 }
 

@@ -28,7 +28,7 @@ inline constexpr float plane_error = 2.0f * gamma_error(3);
 /// ray.
 struct RayWalk {
   explicit RayWalk(const Ray& ray) : origin(ray.origin), direction(ray.direction) {
-    const float size = largest_component(glm::abs(direction));
+    const float size = largest_component(magnitudes(direction));
     if (!(size > 0x1p-20f && size < 0x1p20f)) bring_to_length_one(size);
     inverse = 1.0f / direction;
     t_min = static_cast<float>(ray.t_min / scale);
@@ -59,7 +59,7 @@ struct RayWalk {
 /// NaN or infinite but t_max.
 inline RayInterval root_interval(const Tree& tree, const RayWalk& ray) {
   constexpr RayInterval none{1.0f, 0.0f};
-  const float direction_size = largest_component(glm::abs(ray.direction));
+  const float direction_size = largest_component(magnitudes(ray.direction));
   const Vec3 finite = 0.0f * (ray.origin + ray.direction);
   if (!(direction_size > 0.0f) || finite != Vec3(0.0f)) return none;
   RayInterval interval{ray.t_min, ray.t_max};

@@ -20,7 +20,7 @@ bool overlap(const Aabb& a, const Aabb& b) {
 }
 
 Aabb grown_by_8_ulp(const Aabb& cell) {
-  const Vec3 largest(largest_component(glm::max(glm::abs(cell.lo), glm::abs(cell.hi))));
+  const Vec3 largest(largest_component(glm::max(magnitudes(cell.lo), magnitudes(cell.hi))));
   return {cell.lo - 0x1p-20f * largest, cell.hi + 0x1p-20f * largest};
 }
 

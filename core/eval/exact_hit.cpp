@@ -75,7 +75,7 @@ ExactHit meet_triangle(const Scene& scene, const Face& face, const Ray& ray, Sid
 /// Where the ray passes the outline of a polygon, seen along the ray: crossings of a half-plane
 /// that starts in the ray are counted.
 Meeting meet_outline(const Ray& ray, std::span<const Vec3> vertices) {
-  const Vec3 size = glm::abs(ray.direction);
+  const Vec3 size = magnitudes(ray.direction);
   const int k = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
   const int i = (k + 1) % 3, j = (k + 2) % 3;
   const int orientation = ray.direction[k] > 0.0f ? 1 : -1;

@@ -19,6 +19,12 @@ inline float component(const Vec3& v, int axis) {
   return glm::value_ptr(v)[axis];
 }
 
+/// glm::abs, which branches on every sign.
+template <class Scalar>
+glm::vec<3, Scalar> magnitudes(glm::vec<3, Scalar> v) {
+  return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+
 inline double sum_of_magnitudes(Vec3d v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }

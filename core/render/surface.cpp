@@ -66,8 +66,8 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
 
   // The point is computed in double: it is off by roundings of 2^-53, and by what the vertices of
   // a face, rounded to float, are off their common plane.
-  surface.error = static_cast<double>(unit_roundoff) * glm::abs(surface.point) +
-                  0x1p-50 * (glm::abs(Vec3d(ray.origin)) + glm::abs(way)) +
+  surface.error = static_cast<double>(unit_roundoff) * magnitudes(surface.point) +
+                  0x1p-50 * (magnitudes(Vec3d(ray.origin)) + magnitudes(way)) +
                   Vec3d(thickness_of(scene, object));
 
   surface.shading_normal = surface.normal;
@@ -96,7 +96,7 @@ Ray shadow_ray(const Surface& surface, const Light& light, OffsetRule rule) {
 }
 
 Vec3 leaving_origin(const Surface& surface, Vec3d direction) {
-  const double reach = glm::dot(glm::abs(surface.normal), surface.error);
+  const double reach = glm::dot(magnitudes(surface.normal), surface.error);
   const double side = glm::dot(direction, surface.normal) < 0.0 ? -1.0 : 1.0;
   const Vec3d offset = (side * reach) * surface.normal;
   const Vec3d moved = surface.point + offset;

@@ -45,7 +45,7 @@ Aabb bounds_of_part(const Cone& cone, Interval s) {
     const bool inner = 0.0 < end && end < 1.0;
     const Vec3d centre = inner ? base + end * axis : Vec3d(end == 0.0 ? cone.base : cone.apex);
     const Vec3d reach = (base_radius + end * growth) * extent;
-    const Vec3d moved = inner ? glm::abs(base) + glm::abs(axis) : Vec3d(0.0);
+    const Vec3d moved = inner ? magnitudes(base) + magnitudes(axis) : Vec3d(0.0);
     const Vec3d margin = 0x1p-48 * (reach + moved);
     for (int i = 0; i < 3; ++i) {
       box.lo[i] = std::min(box.lo[i], round_down(centre[i] - reach[i] - margin[i]));

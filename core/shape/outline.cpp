@@ -153,7 +153,7 @@ HWY_EXPORT(divide_outline);
 HWY_EXPORT(box_of_outline);
 
 double outline_margin(const Aabb& box) {
-  return 0x1p-43 * largest_component(glm::max(glm::abs(box.lo), glm::abs(box.hi)));
+  return 0x1p-43 * largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)));
 }
 
 bool find_outline(std::span<const Vec3> polygon, const Aabb& whole, const Aabb& cell, double margin,

@@ -203,7 +203,7 @@ Aabb rounded_box(std::span<const Vec3d> points, double margin) {
 }
 
 double largest_magnitude(const Aabb& a) {
-  return largest_component(glm::max(glm::abs(a.lo), glm::abs(a.hi)));
+  return largest_component(glm::max(magnitudes(a.lo), magnitudes(a.hi)));
 }
 
 }  // namespace
@@ -219,14 +219,14 @@ PolygonPlane polygon_plane(std::span<const Vec3> vertices) {
     p = q;
   }
   plane.point = base + plane.point / static_cast<double>(vertices.size());
-  const Vec3d size = glm::abs(plane.normal);
+  const Vec3d size = magnitudes(plane.normal);
   const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
   plane.x_axis = z == 0 ? 1 : 0;
   plane.y_axis = z == 2 ? 1 : 2;
   plane.area = size.x + size.y + size.z;
   for (const Vec3& vertex : vertices) {
     const Vec3d arm = Vec3d(vertex) - plane.point;
-    const double rounding = 0x1p-48 * glm::dot(size, glm::abs(arm));
+    const double rounding = 0x1p-48 * glm::dot(size, magnitudes(arm));
     const double height = 1.01 * std::abs(glm::dot(plane.normal, arm));
     plane.thickness = std::max(plane.thickness, height + rounding);
   }

@@ -34,7 +34,7 @@ struct RayQuery {
         t_min(ray.t_min),
         t_max(ray.t_max),
         reach_error(reach * unit_roundoff),
-        size(largest_component(glm::abs(direction))) {
+        size(largest_component(magnitudes(direction))) {
     if (meets_triangles) find_shear();
   }
 
@@ -61,7 +61,7 @@ struct RayQuery {
 
  private:
   void find_shear() {
-    const Vec3 sizes = glm::abs(direction);
+    const Vec3 sizes = magnitudes(direction);
     kz = sizes.x > sizes.y ? 0 : 1;
     kz = std::max(sizes.x, sizes.y) > sizes.z ? kz : 2;
     kx = kz == 2 ? 0 : kz + 1;
@@ -74,7 +74,7 @@ struct RayQuery {
 
 /// `reach` of a RayQuery against everything inside `box`.
 inline float reach_of(const Aabb& box, Vec3 origin) {
-  return largest_component(glm::max(glm::abs(box.lo - origin), glm::abs(box.hi - origin)));
+  return largest_component(glm::max(magnitudes(box.lo - origin), magnitudes(box.hi - origin)));
 }
 
 }  // namespace bspview

@@ -60,7 +60,7 @@ inline double hit_polygon_crossings(const TextbookRay<Real>& ray, std::span<cons
   const Real t = glm::dot(normal, Vec(plane.point) - ray.origin) / slope;
   if (!ray.accepts(t)) return no_hit;
 
-  const Vec size = glm::abs(normal);
+  const Vec size = magnitudes(normal);
   const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
   const int x = z == 0 ? 1 : 0, y = z == 2 ? 1 : 2;
   const Real at_x = ray.origin[x] + t * ray.direction[x];

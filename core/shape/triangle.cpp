@@ -10,7 +10,7 @@ namespace {
 
 /// Sums of the magnitudes of the products that the cross product subtracts.
 Vec3d size_of_cross(Vec3d a, Vec3d b) {
-  const Vec3d p = glm::abs(a), q = glm::abs(b);
+  const Vec3d p = magnitudes(a), q = magnitudes(b);
   return {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
 }
 
@@ -24,8 +24,8 @@ double hit_plane_beside(const RayQuery& ray, const Vec3* vertices, Sides sides) 
   const Vec3d normal = glm::cross(edge1, edge2), normal_size = size_of_cross(edge1, edge2);
   const double slope = glm::dot(normal, ray.wide_direction);
   const double height = glm::dot(normal, way);
-  const double slope_size = glm::dot(normal_size, glm::abs(ray.wide_direction));
-  const double height_size = glm::dot(normal_size, glm::abs(way));
+  const double slope_size = glm::dot(normal_size, magnitudes(ray.wide_direction));
+  const double height_size = glm::dot(normal_size, magnitudes(way));
   bool from_behind = slope > 0.0;
   double t = height / slope;
   // Both are off by less than 2^-49 of their sizes.

@@ -11,7 +11,7 @@ namespace bspview {
 /// A ray in its own coordinates: the longest axis is z.
 struct WoopRay {
   explicit WoopRay(const Ray& ray) : plain(ray) {
-    const Vec3 size = glm::abs(ray.direction);
+    const Vec3 size = magnitudes(ray.direction);
     kz = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     kx = kz == 2 ? 0 : kz + 1;
     ky = kx == 2 ? 0 : kx + 1;

@@ -51,7 +51,7 @@ void add_sphere(LineList& lines, const Line& pen, const Sphere& sphere) {
 
 void add_cone(LineList& lines, const Line& pen, const Cone& cone) {
   const Vec3 axis = cone.apex - cone.base;
-  const Vec3 size = glm::abs(axis);
+  const Vec3 size = magnitudes(axis);
   // Any direction that is not the axis' own: along its least component.
   const Vec3 other(size.x <= size.y && size.x <= size.z, size.y < size.x && size.y <= size.z,
                    size.z < size.x && size.z < size.y);

@@ -44,7 +44,7 @@ Ray shadow_ray(Vec3 origin, Vec3 light) {
 }
 
 bool is_hidden(const JudgedScene& scene, const Ray& shadow, std::uint32_t surface) {
-  const float size = largest_component(glm::abs(shadow.origin));
+  const float size = largest_component(magnitudes(shadow.origin));
   const double least = near_ulps * 0x1p-23 * size / glm::length(Vec3d(shadow.direction));
   const std::vector<Candidate> met = scene.reference.meetings(shadow);
   return std::ranges::any_of(met, [&](const Candidate& one) {

@@ -11,7 +11,7 @@ constexpr std::uint32_t group_size = 4;
 constexpr double widening = 0x1p-16;
 
 double largest_magnitude(Vec3 v) {
-  return largest_component(glm::abs(v));
+  return largest_component(magnitudes(v));
 }
 
 /// Where `ray` surely has not yet entered `box`, widened; no_hit when it passes it by.

@@ -70,8 +70,8 @@ bool holds(const Aabb& box, const Polygon<Number>& polygon, double margin) {
 }
 
 double magnitude(const Corners& corners, const Aabb& cell) {
-  Vec3 largest = glm::max(glm::abs(cell.lo), glm::abs(cell.hi));
-  for (const Vec3 p : corners) largest = glm::max(largest, glm::abs(p));
+  Vec3 largest = glm::max(magnitudes(cell.lo), magnitudes(cell.hi));
+  for (const Vec3 p : corners) largest = glm::max(largest, magnitudes(p));
   return largest_component(largest);
 }
 
@@ -166,7 +166,7 @@ Complaint check_point(const Subject& subject, const Scene& scene, std::uint32_t 
   if (object_bounds(scene, id).empty() || is_degenerate(scene, id)) return std::nullopt;
   const Vec3d point = point_on(scene, id, dice);
   const Aabb box = subject.bounds(scene, id);
-  const double size = double{largest_component(glm::max(glm::abs(box.lo), glm::abs(box.hi)))};
+  const double size = double{largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)))};
   if (holds_point(box, point, size)) return std::nullopt;
   return fmt::format("{}: object {}: expected point {:a} {:a} {:a} inside its box, found {}",
                      scene.name, id, point.x, point.y, point.z, describe(box));

@@ -159,7 +159,7 @@ Result<Trial> prepare_narrow_gaps(const Setting& setting) {
     const bool curved = dice.one_in(3);
     const Vec3 place = dice.power_of_ten(0.0f, curved ? 3.0f : 5.0f) * dice.direction();
     // A point is off by half an ulp of its coordinates, and leaving adds at most that and two more.
-    const float ulp = 0x1p-23f * (largest_component(glm::abs(place)) + 3.0f);
+    const float ulp = 0x1p-23f * (largest_component(magnitudes(place)) + 3.0f);
     const float gap = dice.between(8.0f, 64.0f) * ulp;
     const Scene scene = parallel_pair(curved, gap, place, dice);
     const BruteForce brute(scene);

@@ -81,8 +81,8 @@ std::array<Vec3, 26> neighbour_directions(Dice& dice) {
   return directions;
 }
 
-/// Rays in planes visit both sides of them; no more than that: a ray lies in two planes at most, and
-/// four cells meet where they cross. Over many rays, since it crosses others besides.
+/// Rays in planes visit both sides of them; no more than that: a ray lies in two planes at most,
+/// and four cells meet where they cross. Over many rays, since it crosses others besides.
 Complaint compare_visits(const Subject& subject, const Forest& forest, Dice& dice) {
   const Tree& tree = choose_tree(forest, dice);
   const World world{*forest.scene, tree};
@@ -92,7 +92,7 @@ Complaint compare_visits(const Subject& subject, const Forest& forest, Dice& dic
     const Vec3 origin = special_origin(forest, dice);
     const Vec3 moved = origin + dice.point(1e-3f) * extent;
     for (const Vec3 direction : neighbour_directions(dice)) {
-      const float size = largest_component(glm::abs(direction));
+      const float size = largest_component(magnitudes(direction));
       RayCost here, beside;
       subject.closest(world, {origin, direction}, here);
       subject.closest(world, {moved, direction + size * dice.point(1e-2f)}, beside);

@@ -102,7 +102,7 @@ bool is_planar(std::span<const Vec3> vertices) {
 /// Whether the ray starts where objects may be, and no component of its direction but 0 is so far
 /// below another that the walk, in float, takes it for 0.
 bool is_in_range(const Ray& ray) {
-  const float least = 0x1p-126f * largest_component(glm::abs(ray.direction));
+  const float least = 0x1p-126f * largest_component(magnitudes(ray.direction));
   for (int axis = 0; axis < 3; ++axis) {
     const float d = std::abs(ray.direction[axis]);
     if (!(std::abs(ray.origin[axis]) <= max_coordinate) || !(d == 0.0f || d >= least)) return false;
