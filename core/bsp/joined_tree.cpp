@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -129,10 +130,20 @@ class Joiner {
   std::uint32_t add_leaf(const Aabb& box, std::span<const std::uint32_t> ids) {
     const auto first = static_cast<std::uint32_t>(joined_.objects.size());
     joined_.objects.insert(joined_.objects.end(), ids.begin(), ids.end());
-    return add({box, 0, first, static_cast<std::uint32_t>(ids.size())});
+    const auto count = static_cast<std::uint32_t>(ids.size());
+    JoinedNode leaf{box, 0, first, count, {}};
+    const auto steps = static_cast<float>((count + most_joined_objects - 1) / most_joined_objects);
+    std::ranges::fill(leaf.cost, half_area(box) * steps);
+    return add(leaf);
   }
   std::uint32_t add_inner(const Aabb& box, std::uint32_t left, std::uint32_t right) {
-    return add({box, 1 + joined_.nodes[left].inner + joined_.nodes[right].inner, left, right});
+    const JoinedNode &a = joined_.nodes[left], &b = joined_.nodes[right];
+    JoinedNode node{box, 1 + a.inner + b.inner, left, right, {}};
+    node.cost[0] = half_area(box) + share_cells(a, b, WideNode::width).cost;
+    for (int cells = 2; cells < WideNode::width; ++cells) {
+      node.cost[cells - 1] = std::min(node.cost[cells - 2], share_cells(a, b, cells).cost);
+    }
+    return add(node);
   }
   std::uint32_t add(const JoinedNode& node) {
     joined_.nodes.push_back(node);
@@ -239,6 +250,15 @@ class TreeJoiner {
 };
 
 }  // namespace
+
+CellShares share_cells(const JoinedNode& left, const JoinedNode& right, int cells) {
+  CellShares best{std::numeric_limits<float>::infinity(), 1};
+  for (int i = 1; i < cells; ++i) {
+    const float cost = left.cost[i - 1] + right.cost[cells - i - 1];
+    if (cost < best.cost) best = {cost, i};
+  }
+  return best;
+}
 
 JoinedTree join_leaves(const Tree& tree, std::span<const WideObject> objects,
                        const std::stop_token& stop) {

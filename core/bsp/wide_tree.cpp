@@ -11,21 +11,14 @@
 namespace bspview {
 namespace {
 
-/// The cells that a node of the binary tree is replaced by: again and again the largest is split,
-/// while there is room.
+/// The cells that a node of the binary tree is replaced by: those of the least expected cost.
 class NodeCells {
  public:
   NodeCells(const JoinedTree& tree, std::uint32_t index) : tree_(tree) {
-    add(index);
-    for (int split = largest(); split >= 0 && size_ < WideNode::width; split = largest()) {
-      const JoinedNode& node = tree_.nodes[nodes_[split]];
-      --size_;
-      for (int i = split; i < size_; ++i) {
-        nodes_[i] = nodes_[i + 1];
-        areas_[i] = areas_[i + 1];
-      }
-      add(node.first);
-      add(node.other);
+    if (tree.nodes[index].is_leaf()) {
+      nodes_[size_++] = index;
+    } else {
+      add_below(index, WideNode::width);
     }
   }
 
@@ -34,30 +27,24 @@ class NodeCells {
   std::uint32_t operator[](int i) const { return nodes_[i]; }
 
  private:
-  static constexpr float not_to_be_split = -1.0f;
-
-  void add(std::uint32_t index) {
+  void add(std::uint32_t index, int cells) {
     const JoinedNode& node = tree_.nodes[index];
-    nodes_[size_] = index;
-    areas_[size_] = node.is_leaf() ? not_to_be_split : half_area(node.box);
-    ++size_;
-  }
-
-  /// The first of the largest cells that can be split, or -1.
-  int largest() const {
-    int found = -1;
-    float area = not_to_be_split;
-    for (int i = 0; i < size_; ++i) {
-      if (!(areas_[i] > area)) continue;
-      found = i;
-      area = areas_[i];
+    while (cells > 1 && node.cost[cells - 2] == node.cost[cells - 1]) --cells;
+    if (cells > 1 && !node.is_leaf()) {
+      add_below(index, cells);
+    } else {
+      nodes_[size_++] = index;
     }
-    return found;
+  }
+  void add_below(std::uint32_t index, int cells) {
+    const JoinedNode& node = tree_.nodes[index];
+    const int left = share_cells(tree_.nodes[node.first], tree_.nodes[node.other], cells).left;
+    add(node.first, left);
+    add(node.other, cells - left);
   }
 
   const JoinedTree& tree_;
   std::uint32_t nodes_[WideNode::width];
-  float areas_[WideNode::width];
   int size_ = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/bsp/build.h"
+#include "core/bsp/joined_tree.h"
 #include "tests/support/random.h"
 
 namespace bspview {
@@ -108,6 +109,58 @@ TEST(WideTree, HoldsNothingInSlotsWithoutACell) {
   }
   EXPECT_EQ(used, widened.leaves.size() + widened.wide.nodes.size() - 1);  // each but the root
   EXPECT_EQ(used + empty, WideNode::width * widened.wide.nodes.size());
+}
+
+/// What a ray is expected to cost from a node of the binary tree down, when nodes of eight are made
+/// of it at random.
+double cost_at_random(const JoinedTree& tree, std::uint32_t index, Random& random) {
+  const JoinedNode& node = tree.nodes[index];
+  if (node.is_leaf()) return node.cost[0];
+  std::vector<std::uint32_t> cells{node.first, node.other};
+  for (int tries = 0; tries < 20 && cells.size() < WideNode::width; ++tries) {
+    const auto i = static_cast<std::size_t>(random.between(0.0f, 0.999f) * cells.size());
+    const JoinedNode split = tree.nodes[cells[i]];
+    if (split.is_leaf()) continue;
+    cells[i] = split.first;
+    cells.push_back(split.other);
+  }
+  double cost = half_area(node.box);
+  for (const std::uint32_t cell : cells) cost += cost_at_random(tree, cell, random);
+  return cost;
+}
+
+/// The same for a wide tree, whose root has the box of the binary one's.
+double cost_of(const Wide& wide, double root_area) {
+  double cost = root_area;
+  for (const WideNode& node : wide.wide.nodes) {
+    for (int slot = 0; slot < WideNode::width; ++slot) {
+      const Aabb box = Wide::box_of(node, slot);
+      if (box.empty()) continue;
+      const std::uint32_t child = node.child[slot];
+      const std::size_t steps =
+          child & WideNode::leaf_bit
+              ? (wide.leaves[child & ~WideNode::leaf_bit].size() + most_joined_objects - 1) /
+                    most_joined_objects
+              : 1;
+      cost += static_cast<double>(half_area(box)) * static_cast<double>(steps);
+    }
+  }
+  return cost;
+}
+
+TEST(WideTree, CostsLessThanNodesMadeAtRandom) {
+  Random random(7);
+  for (const bool joins : {false, true}) {
+    const Wide widened(random_boxes(400, 0.2f, random), {}, joins);
+    const JoinedTree joined = join_leaves(widened.tree, objects_in(widened.boxes, joins), {});
+    const JoinedNode& root = joined.nodes.back();
+    const double cost = cost_of(widened, half_area(root.box));
+    EXPECT_NEAR(cost, root.cost[0], 1e-4 * cost);
+    for (int i = 0; i < 100; ++i) {
+      const auto last = static_cast<std::uint32_t>(joined.nodes.size() - 1);
+      ASSERT_LT(cost, cost_at_random(joined, last, random));
+    }
+  }
 }
 
 TEST(WideTree, JoinsLeavesOfFewObjectsOnlyWhereTheyMay) {
