@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "core/bsp/ray_walk.h"
 #include "core/bsp/wide_tree.h"
@@ -27,7 +28,7 @@ using CellV = hn::Vec<CellTag>;
 inline constexpr CellTag cell_tag;
 
 /// Relative to a plane's distance: how much later than computed a ray may leave a cell that it
-/// enters sooner. Both distances are off by plane_error / 2.
+/// enters sooner. Both distances are off by plane_error / 2, and the later one once more by this.
 inline constexpr float passing = 1.0f + 2.0f * plane_error;
 
 /// Relative to the distance of the best hit: cells that are entered behind it are of no use. Cells
@@ -36,9 +37,12 @@ inline constexpr float hit_margin = 1.0f + 16.0f * plane_error;
 
 /// What the walk needs of a ray: t_min >= 0, a finite origin, a direction of a size near 1.
 struct WideRay {
-  explicit WideRay(const Ray& ray)
+  HWY_INLINE explicit WideRay(const Ray& ray)
       : origin(ray.origin), inverse(1.0f / ray.direction), t_min(ray.t_min) {
-    for (int axis = 0; axis < 3; ++axis) near_row[axis] = 2 * axis + (inverse[axis] < 0.0f ? 1 : 0);
+    for (int axis = 0; axis < 3; ++axis) {
+      near_row[axis] =
+          2 * axis + static_cast<int>(std::bit_cast<std::uint32_t>(inverse[axis]) >> 31);
+    }
   }
 
   Vec3 origin;
@@ -52,21 +56,25 @@ HWY_INLINE unsigned find_cells(const WideNode& node, const WideRay& ray, float r
                                float* enter) {
   unsigned found = 0;
   for (std::size_t i = 0; i < WideNode::width; i += hn::Lanes(cell_tag)) {
-    const auto distance = [&](int row, int axis) {
+    const auto distance = [&](int row, int axis, float inverse) {
       const CellV plane = hn::Load(cell_tag, node.bounds[row] + i);
       return hn::Mul(hn::Sub(plane, hn::Set(cell_tag, ray.origin[axis])),
-                     hn::Set(cell_tag, ray.inverse[axis]));
+                     hn::Set(cell_tag, inverse));
     };
-    const auto near = [&](int axis) { return distance(ray.near_row[axis], axis); };
-    const auto far = [&](int axis) { return distance(ray.near_row[axis] ^ 1, axis); };
+    const auto near = [&](int axis) {
+      return distance(ray.near_row[axis], axis, ray.inverse[axis]);
+    };
+    const auto far = [&](int axis) {
+      return distance(ray.near_row[axis] ^ 1, axis, ray.inverse[axis] * passing);
+    };
     // A ray that lies in a plane is on its right side: Max and Min answer what is no NaN if it is
     // their second operand (x86), or any (others).
     const CellV start = hn::Set(cell_tag, ray.t_min), end = hn::Set(cell_tag, reach);
-    const CellV first = hn::Max(hn::Max(near(0), start), hn::Max(near(1), hn::Max(near(2), start)));
-    const CellV last = hn::Min(hn::Min(far(0), end), hn::Min(far(1), hn::Min(far(2), end)));
+    const CellV first = hn::Max(near(0), hn::Max(near(1), hn::Max(near(2), start)));
+    const CellV last = hn::Min(far(0), hn::Min(far(1), hn::Min(far(2), end)));
     hn::Store(first, cell_tag, enter + i);
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(cell_tag, hn::Le(first, hn::Mul(last, hn::Set(cell_tag, passing))), bits);
+    hn::StoreMaskBits(cell_tag, hn::Le(first, last), bits);
     found |= static_cast<unsigned>(bits[0]) << i;
   }
   return found;
@@ -75,6 +83,13 @@ HWY_INLINE unsigned find_cells(const WideNode& node, const WideRay& ray, float r
 /// Cells still to visit, the nearest on top. Every level of the tree leaves at most seven.
 class WideStack {
  public:
+  /// Below all cells: a leaf that is none.
+  static constexpr std::uint32_t bottom = 0xffffffffu;
+
+  WideStack() : top_(entries_) { *top_++ = entry(-std::numeric_limits<float>::infinity(), bottom); }
+  WideStack(const WideStack&) = delete;
+  WideStack& operator=(const WideStack&) = delete;
+
   /// A child and where the ray enters it. Distances are not negative: entries sort like integers.
   static std::uint64_t entry(float enter, std::uint32_t child) {
     return std::uint64_t{std::bit_cast<std::uint32_t>(enter)} << 32 | child;
@@ -84,59 +99,71 @@ class WideStack {
     return std::bit_cast<float>(static_cast<std::uint32_t>(entry >> 32));
   }
 
-  bool empty() const { return size_ == 0; }
-  std::uint64_t pop() { return entries_[--size_]; }
+  std::uint64_t pop() { return *--top_; }
 
-  void push(std::uint64_t entry) { entries_[size_++] = entry; }
+  /// The nearest that is entered before `reach`, or bottom.
+  HWY_INLINE std::uint32_t pop_child(float reach) {
+    std::uint64_t next = pop();
+    while (!(enter(next) <= reach)) next = pop();
+    return child(next);
+  }
+
+  /// Pushes an entry if `is_wanted`, without a branch.
+  HWY_INLINE void push_if(bool is_wanted, std::uint64_t entry) {
+    *top_ = entry;
+    top_ += is_wanted;
+  }
 
   /// Puts the cells of one node at their place among each other; name(slot) answers the child.
   template <class Name>
   HWY_INLINE void push_sorted(unsigned slots, const float* enter, Name name) {
-    const int base = size_;
+    std::uint64_t* const base = top_;
     for (; slots != 0; slots &= slots - 1) {
       const int slot = __builtin_ctz(slots);
       const std::uint64_t next = entry(enter[slot], name(slot));
-      int place = size_++;
-      for (; place > base && entries_[place - 1] < next; --place) {
-        entries_[place] = entries_[place - 1];
-      }
-      entries_[place] = next;
+      std::uint64_t* place = top_++;
+      for (; place > base && place[-1] < next; --place) *place = place[-1];
+      *place = next;
     }
   }
 
  private:
-  std::uint64_t entries_[(WideNode::width - 1) * (depth_cap + 1) + 1];  // not initialized
-  int size_ = 0;
+  // Not initialized; one more than is ever used, for push_if.
+  std::uint64_t entries_[(WideNode::width - 1) * (depth_cap + 1) + 3];
+  std::uint64_t* top_;
 };
 
-/// Goes from a node down to the nearest leaf; false where the ray passes none before `reach`.
-HWY_INLINE bool go_down(const WideTree& tree, const WideRay& ray, float reach, std::uint32_t& child,
-                        WideStack& stack) {
+/// The nearest of the cells that a ray passes, at least one; the others go onto the stack.
+HWY_INLINE std::uint32_t take_nearest(const WideNode& node, unsigned slots, const float* enter,
+                                      WideStack& stack) {
+  const auto entry_of = [&](unsigned among) {
+    const int slot = __builtin_ctz(among);
+    return WideStack::entry(enter[slot], node.child[slot]);
+  };
+  const unsigned others = slots & (slots - 1);
+  if ((others & (others - 1)) != 0) {
+    stack.push_sorted(slots, enter, [&](int slot) { return node.child[slot]; });
+    return WideStack::child(stack.pop());
+  }
+  // One or two, which no predictor can tell: where there is no second, one behind everything.
+  const std::uint64_t none = -std::uint64_t{others == 0};
+  const std::uint64_t a = entry_of(slots);
+  const std::uint64_t b = entry_of(others | 1u << (WideNode::width - 1)) | none;
+  stack.push_if(others != 0, std::max(a, b));
+  return WideStack::child(std::min(a, b));
+}
+
+/// Goes from a node down to the nearest leaf that the ray passes before `reach`, or to the next one
+/// on the stack.
+HWY_INLINE std::uint32_t go_down(const WideTree& tree, const WideRay& ray, float reach,
+                                 std::uint32_t child, WideStack& stack) {
   while (!(child & WideNode::leaf_bit)) {
     const WideNode& node = tree.nodes[child];
     alignas(32) float enter[WideNode::width];
-    unsigned slots = find_cells(node, ray, reach, enter);
-    if (slots == 0) return false;
-    const int first = __builtin_ctz(slots);
-    slots &= slots - 1;
-    if (slots == 0) {
-      child = node.child[first];
-      continue;
-    }
-    const int second = __builtin_ctz(slots);
-    slots &= slots - 1;
-    if (slots == 0) {
-      const std::uint64_t a = WideStack::entry(enter[first], node.child[first]);
-      const std::uint64_t b = WideStack::entry(enter[second], node.child[second]);
-      child = WideStack::child(std::min(a, b));
-      stack.push(std::max(a, b));
-      continue;
-    }
-    stack.push_sorted(slots | 1u << first | 1u << second, enter,
-                      [&](int slot) { return node.child[slot]; });
-    child = WideStack::child(stack.pop());
+    const unsigned slots = find_cells(node, ray, reach, enter);
+    child = slots != 0 ? take_nearest(node, slots, enter, stack) : stack.pop_child(reach);
   }
-  return true;
+  return child;
 }
 
 /// Visits the leaves along the ray, nearest first; leaf(child) tests the objects and may make
@@ -147,13 +174,10 @@ HWY_INLINE void traverse_wide(const WideTree& tree, const WideRay& ray, const fl
   WideStack stack;
   std::uint32_t child = 0;
   for (;;) {
-    if (go_down(tree, ray, reach, child, stack)) leaf(child);
-    std::uint64_t next;
-    do {
-      if (stack.empty()) return;
-      next = stack.pop();
-    } while (!(WideStack::enter(next) <= reach));
-    child = WideStack::child(next);
+    child = go_down(tree, ray, reach, child, stack);
+    if (child == WideStack::bottom) return;
+    leaf(child);
+    child = stack.pop_child(reach);
   }
 }
 

@@ -107,10 +107,8 @@ HWY_INLINE void traverse_wide_packet(const WideTree& tree, const PacketWalk& wal
       return index * WideNode::width + static_cast<unsigned>(slot);
     });
     for (;;) {
-      if (stack.empty()) return;
-      const std::uint64_t next = stack.pop();
-      if (!(WideStack::enter(next) <= reach)) continue;
-      const std::uint32_t name = WideStack::child(next);
+      const std::uint32_t name = stack.pop_child(reach);
+      if (name == WideStack::bottom) return;
       const WideNode& node = tree.nodes[name / WideNode::width];
       const int slot = static_cast<int>(name % WideNode::width);
       const unsigned passing_lanes = find_lanes(walk, node, slot);

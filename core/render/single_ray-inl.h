@@ -14,7 +14,6 @@
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
 #include "core/shape/triangle_block-inl.h"
-#include "core/shape/triangle_plane.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bspview::HWY_NAMESPACE {
@@ -22,7 +21,7 @@ namespace bspview::HWY_NAMESPACE {
 /// Whether the wide tree can take a ray: none that starts before its origin, is no ray, or has a
 /// direction whose reciprocal could overflow.
 HWY_INLINE bool is_plain(const Ray& ray) {
-  const float size = largest_component(glm::abs(ray.direction));
+  const float size = largest_component(magnitudes(ray.direction));
   const Vec3 zero = 0.0f * (ray.origin + ray.direction);
   return size > 0x1p-20f && size < 0x1p20f && zero == Vec3(0.0f) && ray.t_min >= 0.0f &&
          ray.t_min < ray.t_max;
@@ -36,11 +35,14 @@ struct TriangleRay {
         t_min(ray.t_min),
         t_max(ray.t_max),
         reach_error(reach * unit_roundoff) {
-    const Vec3 sizes = glm::abs(ray.direction);
-    kz = sizes.x > sizes.y ? 0 : 1;
-    kz = std::max(sizes.x, sizes.y) > sizes.z ? kz : 2;
-    kx = kz == 2 ? 0 : kz + 1;
-    ky = kx == 2 ? 0 : kx + 1;
+    // Without a branch, which no predictor could tell.
+    const Vec3 sizes = magnitudes(ray.direction);
+    const int xy = static_cast<int>(!(sizes.x > sizes.y));
+    const int is_z = static_cast<int>(!(std::max(sizes.x, sizes.y) > sizes.z));
+    constexpr int next[] = {1, 2, 0};
+    kz = is_z * 2 + (1 - is_z) * xy;
+    kx = next[kz];
+    ky = next[kx];
     turned = {component(ray.origin, kx), component(ray.origin, ky), component(ray.origin, kz)};
     shear_x = component(ray.direction, kx) / component(ray.direction, kz);
     shear_y = component(ray.direction, ky) / component(ray.direction, kz);
@@ -61,6 +63,7 @@ class SingleRay {
   HWY_INLINE SingleRay(const World& world, const Ray& ray, SideRule rule)
       : world_(world),
         rule_(rule),
+        sees_backs_(rule == SideRule::two_sided || world.scene.two_sided),
         ray_(ray),
         triangle_ray_(ray, reach_of(world.tree.box, ray.origin)),
         reach_(ray.t_max) {}
@@ -84,6 +87,10 @@ class SingleRay {
       if (hits.possible != 0) meet_triangles(*block, hits);
       if (any && best_) return;
     }
+    if (leaf.other_count != 0) meet_others(leaf);
+  }
+
+  HWY_INLINE void meet_others(const WideLeaf& leaf) {
     for (const std::uint32_t id : world_.accelerator->others(leaf)) {
       keep(id, hit_object(world_.scene, id, query(), rule_));
       if (any && best_) return;
@@ -91,23 +98,35 @@ class SingleRay {
   }
 
   HWY_INLINE void meet_triangles(const TriangleBlock& block, BlockHits hits) {
-    for (; hits.possible != 0; hits.possible &= hits.possible - 1) {
-      const int slot = __builtin_ctz(hits.possible);
+    BlockPlanes planes;
+    if (hits.sure != 0) find_planes(triangle_ray_, block, hits.sure, planes);
+    for (unsigned rest = planes.hit & hits.sure; rest != 0; rest &= rest - 1) {
+      const int slot = __builtin_ctz(rest);
       const std::uint32_t id = block.object[slot];
+      const bool is_behind = (planes.behind >> slot & 1u) != 0;
+      if (is_behind && !sees_backs_ && sides_of(id) == Sides::front) continue;
+      keep(id, planes.t[slot]);
+    }
+    const unsigned open = hits.possible & ~(hits.sure & ~planes.open);
+    if (open != 0) meet_open_triangles(block, open, hits.sure);
+  }
+
+  HWY_NOINLINE void meet_open_triangles(const TriangleBlock& block, unsigned open, unsigned sure) {
+    for (; open != 0; open &= open - 1) {
+      const int slot = __builtin_ctz(open);
       Vec3 vertices[3];
       for (int i = 0; i < 3; ++i) {
         for (int axis = 0; axis < 3; ++axis) vertices[i][axis] = block.vertices[i][axis][slot];
       }
-      const Sides sides = visible_sides(world_.scene, world_.scene.objects[id], rule_);
-      keep(id, hit(vertices, hits.sure >> slot & 1u, sides));
-      if (any && best_) return;
+      const std::uint32_t id = block.object[slot];
+      const bool passes_through = (sure >> slot & 1u) != 0;
+      keep(id, passes_through ? hit_triangle_plane(query(), vertices, sides_of(id))
+                              : hit_triangle_exactly(query(), vertices, sides_of(id)));
     }
   }
 
-  HWY_INLINE double hit(const Vec3* vertices, bool passes_through, Sides sides) {
-    if (!passes_through) return hit_triangle_exactly(query(), vertices, sides);
-    const auto t = hit_triangle_plane_in_double(triangle_ray_, vertices, sides);
-    return t ? *t : hit_triangle_plane(query(), vertices, sides);
+  Sides sides_of(std::uint32_t id) const {
+    return visible_sides(world_.scene, world_.scene.objects[id], rule_);
   }
 
   HWY_INLINE void keep(std::uint32_t id, double t) {
@@ -124,6 +143,7 @@ class SingleRay {
 
   const World& world_;
   const SideRule rule_;
+  const bool sees_backs_;
   const Ray& ray_;
   const TriangleRay triangle_ray_;
   std::optional<RayQuery> query_;

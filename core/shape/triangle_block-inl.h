@@ -1,5 +1,6 @@
-// The triangle test of one ray against eight triangles, as hit_triangle (core/shape/triangle.h).
-// Included once for every instruction set that Highway (hwy/foreach_target.h) compiles for.
+// The triangle test of one ray against eight triangles, as hit_triangle (core/shape/triangle.h),
+// bit for bit. Included once for every instruction set that Highway (hwy/foreach_target.h) compiles
+// for.
 
 #if defined(BSPVIEW_TRIANGLE_BLOCK) == defined(HWY_TARGET_TOGGLE)
 #ifdef BSPVIEW_TRIANGLE_BLOCK
@@ -83,6 +84,88 @@ HWY_INLINE BlockHits find_triangles(const AnyRay& ray, const TriangleBlock& bloc
     hits.sure |= bits(hn::Or(hn::Gt(least, bound), hn::Lt(greatest, below)));
   }
   return hits;
+}
+
+/// Slots whose triangles' planes a ray hits, and those where double cannot tell.
+struct BlockPlanes {
+  unsigned hit = 0, open = 0;
+  unsigned behind = 0;  ///< from behind
+  alignas(64) double t[TriangleBlock::width];
+};
+
+/// The vertices of some triangles of a block, seen from the origin of a ray, in double.
+template <class Tag>
+struct WideTriangles {
+  using V = hn::Vec<Tag>;
+
+  HWY_INLINE WideTriangles(Tag tag, const TriangleBlock& block, std::size_t first) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto coordinate = [&](int vertex) {
+        return hn::PromoteTo(
+            tag, hn::Load(hn::Rebind<float, Tag>(), block.vertices[vertex][axis] + first));
+      };
+      corner[axis] = coordinate(0);
+      edge1[axis] = hn::Sub(coordinate(1), corner[axis]);
+      edge2[axis] = hn::Sub(coordinate(2), corner[axis]);
+    }
+  }
+
+  HWY_INLINE V normal(int axis) const {
+    const int j = axis == 2 ? 0 : axis + 1, k = j == 2 ? 0 : j + 1;
+    return hn::Sub(hn::Mul(edge1[j], edge2[k]), hn::Mul(edge2[j], edge1[k]));
+  }
+  static HWY_INLINE V sum_of_magnitudes(const V* v) {
+    return hn::Add(hn::Add(hn::Abs(v[0]), hn::Abs(v[1])), hn::Abs(v[2]));
+  }
+
+  V corner[3], edge1[3], edge2[3];
+};
+
+/// Tells of the `wanted` slots, and may of others, what hit_triangle_plane_in_double
+/// (core/shape/triangle_plane.h) does.
+template <class AnyRay>
+HWY_INLINE void find_planes(const AnyRay& ray, const TriangleBlock& block, unsigned wanted,
+                            BlockPlanes& planes) {
+  constexpr hn::CappedTag<double, TriangleBlock::width> tag;
+  using V = hn::Vec<decltype(tag)>;
+  const std::size_t step = hn::Lanes(tag);
+  const V zero = hn::Zero(tag);
+  for (std::size_t first = 0; first < TriangleBlock::width; first += step) {
+    if ((wanted >> first & ((1u << step) - 1u)) == 0) continue;
+    const WideTriangles<hn::CappedTag<double, TriangleBlock::width>> triangles(tag, block, first);
+    V way[3], slope = zero, height = zero;
+    for (int axis = 0; axis < 3; ++axis) {
+      const V normal = triangles.normal(axis);
+      way[axis] = hn::Sub(triangles.corner[axis], hn::Set(tag, ray.wide_origin[axis]));
+      const V slope_here = hn::Mul(normal, hn::Set(tag, ray.wide_direction[axis]));
+      const V height_here = hn::Mul(normal, way[axis]);
+      slope = axis == 0 ? slope_here : hn::Add(slope, slope_here);
+      height = axis == 0 ? height_here : hn::Add(height, height_here);
+    }
+    const V t = hn::Div(height, slope);
+    const V area_size = hn::Mul(triangles.sum_of_magnitudes(triangles.edge1),
+                                triangles.sum_of_magnitudes(triangles.edge2));
+    const V height_size = hn::Mul(area_size, triangles.sum_of_magnitudes(way));
+    const V slope_size = hn::Mul(hn::Mul(hn::Set(tag, 0x1p-25), area_size),
+                                 hn::Set(tag, sum_of_magnitudes(ray.wide_direction)));
+    const auto slope_open = hn::Lt(hn::Abs(slope), slope_size);
+    const auto height_open = hn::Lt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-25), height_size));
+    const auto behind = hn::And(
+        hn::Lt(t, zero), hn::Gt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-48), height_size)));
+    const auto is_clear = hn::And(behind, hn::Ge(hn::Set(tag, ray.t_min), zero));
+    const auto open = hn::Or(slope_open, hn::AndNot(is_clear, height_open));
+    const auto inside =
+        hn::And(hn::Lt(hn::Set(tag, ray.t_min), t), hn::Lt(t, hn::Set(tag, ray.t_max)));
+    const auto bits = [&](hn::Mask<decltype(tag)> mask) {
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(tag, mask, bytes);
+      return static_cast<unsigned>(bytes[0]) << first;
+    };
+    hn::Store(t, tag, planes.t + first);
+    planes.hit |= bits(hn::AndNot(open, inside));
+    planes.open |= bits(open);
+    planes.behind |= bits(hn::Gt(slope, zero));
+  }
 }
 
 }  // namespace bspview::HWY_NAMESPACE
