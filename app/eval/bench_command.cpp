@@ -222,7 +222,7 @@ void add_bench_options(CLI::App& command, BenchOptions& options) {
                   "Scene files, or spd:NAME[:SIZE]; default: the eight classic scenes and four "
                   "larger ones")
       ->type_name("");
-  add_tree_options(command, options.tree);
+  add_tree_options(command, options.tree, "the kernels are measured in whole trees");
   command.remove_option(command.get_option("--traversal"));  // every peer has its own
   command.get_option("--threads")->description("Threads that build; one is timed");
   add_ray_options(command, options);

@@ -10,6 +10,8 @@
 #include "core/eval/cast.h"
 #include "core/eval/lambda.h"
 #include "core/render/accelerator.h"
+#include "core/render/lazy_tree.h"
+#include "core/scene/load.h"
 
 namespace bspview {
 namespace {
@@ -66,20 +68,48 @@ void print_rate(std::size_t rays, std::span<const double> seconds, const std::st
              rate.repeats, rate.repeats == 1 ? "" : "s", rate.spread, kernel);
 }
 
+/// A scene and what its rays go through.
+struct Target {
+  Scene scene;
+  std::optional<Tree> tree;
+  std::shared_ptr<const Accelerator> accelerator;
+  std::shared_ptr<const LazyTree> lazy;
+
+  World world() const { return lazy ? lazy->world() : World{scene, *tree, accelerator.get()}; }
+};
+
+Result<std::unique_ptr<Target>> make_target(const TreeOptions& options) {
+  auto target = std::make_unique<Target>();
+  Result<Scene> scene = load_scene(options.scene);
+  if (!scene) return scene.error();
+  target->scene = *std::move(scene);
+  if (options.build.lazy) {
+    auto lazy = LazyTree::build(target->scene, options.build);
+    if (!lazy) return lazy.error();
+    target->lazy = *std::move(lazy);
+    return target;
+  }
+  Result<Tree> tree = build_scene_tree(target->scene, options.build);
+  if (!tree) return tree.error();
+  target->tree = *std::move(tree);
+  target->accelerator = make_accelerator(target->world());
+  return target;
+}
+
 Result<void> run_cast(const CastOptions& options) {
   if (const auto ready = check_output(options.output); !ready) return ready;
   const Result<std::vector<Ray>> rays = load_rays(options.rays);
   if (!rays) return rays.error();
-  const Result<SceneAndTree> built = load_and_build(options.tree);
-  if (!built) return built.error();
+  const auto target = make_target(options.tree);
+  if (!target) return target.error();
 
-  const FastWorld fast({built->scene, built->tree});
-  const TimedResults timed = cast_repeatedly(fast.world(), *rays, options);
+  const World world = (*target)->world();
+  const TimedResults timed = cast_repeatedly(world, *rays, options);
   const auto written = write_output(options.output, options.any ? format_occlusion(timed.results)
                                                                 : format_results(timed.results));
   if (!written) return written;
   if (options.repeats > 0) {
-    print_rate(rays->size(), timed.seconds, cast_kernel(fast.world(), cast_params(options)));
+    print_rate(rays->size(), timed.seconds, cast_kernel(world, cast_params(options)));
   }
   return {};
 }
@@ -105,7 +135,10 @@ void add_cast(CLI::App& app, Run& run) {
                    "Trace N times and print the median rate on stderr")
       ->check(CLI::Range(1, 100000).description(""))
       ->type_name("N");
-  command->callback([options, &run] { run = [options] { return run_cast(*options); }; });
+  command->callback([options, &run] {
+    check_lazy(options->tree);
+    run = [options] { return run_cast(*options); };
+  });
 }
 
 }  // namespace bspview

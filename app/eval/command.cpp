@@ -8,10 +8,19 @@
 #include <filesystem>
 
 #include "core/base/file.h"
-#include "core/render/scene_tree.h"
+#include "core/render/lazy_tree.h"
 #include "core/scene/load.h"
 
 namespace bspview {
+namespace {
+
+/// All there is of a tree that grows before rays come.
+Result<Tree> upper_part(const Scene& scene, const BuildParams& params) {
+  const auto lazy = LazyTree::build(scene, params);
+  return lazy ? (*lazy)->graft() : lazy.error();
+}
+
+}  // namespace
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
                       bool& quiet) {
@@ -63,7 +72,8 @@ Result<std::vector<Scene>> load_scenes(const std::vector<std::string>& names) {
 Result<SceneAndTree> load_and_build(const TreeOptions& options) {
   Result<Scene> scene = load_scene(options.scene);
   if (!scene) return scene.error();
-  Result<Tree> tree = build_scene_tree(*scene, options.build);
+  Result<Tree> tree = options.build.lazy ? upper_part(*scene, options.build)
+                                         : build_scene_tree(*scene, options.build);
   if (!tree) return tree.error();
   return SceneAndTree{*std::move(scene), *std::move(tree)};
 }

@@ -144,7 +144,7 @@ void add_error(CLI::App& app, Run& run) {
       ->add_option("SCENE", options->scenes,
                    "Scene files, or spd:NAME[:SIZE]; default: the eight classic scenes")
       ->type_name("");
-  add_tree_options(*command, options->tree);
+  add_tree_options(*command, options->tree, "errors are measured in whole trees");
   CLI::Option* threads = command->get_option("--threads");
   threads->description("Threads that are timed; default 1. Building and judging use all cores")
       ->default_str("1");

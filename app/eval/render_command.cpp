@@ -13,6 +13,8 @@
 #include "core/render/accelerator.h"
 #include "core/render/heatmap.h"
 #include "core/render/image_io.h"
+#include "core/render/lazy_tree.h"
+#include "core/render/lazy_walk.h"
 #include "core/scene/load.h"
 
 namespace bspview {
@@ -66,7 +68,7 @@ Result<void> save_heat(const World& world, const RenderOptions& options) {
 
 LambdaParams lambda_params(const RenderOptions& options) {
   LambdaParams repeats;
-  repeats.build_repeats = options.repeats;
+  if (!options.tree.build.lazy) repeats.build_repeats = options.repeats;
   repeats.render_repeats = options.repeats;
   repeats.replay_repeats = std::max(repeats.replay_repeats, options.repeats);
   return repeats;
@@ -109,10 +111,8 @@ Result<void> run_reference(const RenderOptions& options) {
 }
 
 /// Makes the picture, saves it unless a heat map takes its place, then measures.
-Result<Report> picture_report(const SceneAndTree& built, const RenderOptions& options) {
-  const FastWorld fast({built.scene, built.tree});
-  const World& world = fast.world();
-  const Camera& camera = built.scene.camera;
+Result<Report> picture_report(const World& world, const RenderOptions& options) {
+  const Camera& camera = world.scene.camera;
   const RenderParams params = picture_params(options, camera);
   const LambdaParams repeats = lambda_params(options);
   PictureProgress progress(options, 1 + planned_runs(params, repeats));
@@ -126,15 +126,59 @@ Result<Report> picture_report(const SceneAndTree& built, const RenderOptions& op
   const auto lambda = measure_lambda(world, camera, params, repeats, progress.watch());
   if (!lambda) return lambda.error();
 
-  Report report(built.scene);
+  Report report(world.scene);
   report.seed = options.tree.seed;
-  report.tree = TreeReport(built.tree, options.tree.traversal);
+  report.tree = TreeReport(world.tree, options.tree.traversal);
   report.rays = counted->counts;
   report.samples_per_pixel = static_cast<double>(counted->counts.primary) /
                              static_cast<double>(counted->image.pixels.size());
   report.delta = compute_delta(report.tree->stats, report.objects.objects, counted->counts);
   report.lambda = *lambda;
   return report;
+}
+
+/// A tree that grew, and what that took.
+struct Grown {
+  std::shared_ptr<const LazyTree> lazy;
+  Tree tree;
+  double build_seconds = 0.0;  // of the parts that the first picture needed, and the upper one
+  double first_picture_seconds = 0.0;
+};
+
+Result<Grown> grow_tree(const Scene& scene, const RenderOptions& options) {
+  const RenderParams params = picture_params(options, scene.camera);
+  PictureProgress progress(options, 2);
+  const Timer timer;
+  const auto lazy = LazyTree::build(scene, options.tree.build);
+  if (!lazy) return lazy.error();
+  const World world = (*lazy)->world();
+  const auto image = render_image(world, scene.camera, params, progress.watch());
+  if (!image) return image.error();
+  Grown grown{.lazy = *lazy, .first_picture_seconds = timer.seconds()};
+  grown.build_seconds = (*lazy)->build_seconds() + (*lazy)->part_seconds();
+  if (const auto built = build_for_counts(world, scene.camera, params, progress.watch()); !built) {
+    return built.error();
+  }
+  Result<Tree> tree = (*lazy)->graft();
+  if (!tree) return tree.error();
+  grown.tree = *std::move(tree);
+  return grown;
+}
+
+Result<void> run_lazily(const RenderOptions& options) {
+  const Result<Scene> scene = load_scene(options.tree.scene);
+  if (!scene) return scene.error();
+  const Result<Grown> grown = grow_tree(*scene, options);
+  if (!grown) return grown.error();
+  const World world{*scene, grown->tree, grown->lazy->world().accelerator};
+  if (options.heat) {
+    if (const auto saved = save_heat(world, options); !saved) return saved;
+  }
+  Result<Report> report = picture_report(world, options);
+  if (!report) return report.error();
+  report->first_picture_seconds = grown->first_picture_seconds;
+  report->lambda->t_cb = summarise({grown->build_seconds});
+  return print_report(*report, options.json);
 }
 
 Result<void> run_with_tree(const RenderOptions& options) {
@@ -144,7 +188,8 @@ Result<void> run_with_tree(const RenderOptions& options) {
     const auto saved = save_heat({built->scene, built->tree}, options);
     if (!saved) return saved;
   }
-  const Result<Report> report = picture_report(*built, options);
+  const FastWorld fast({built->scene, built->tree});
+  const Result<Report> report = picture_report(fast.world(), options);
   return report ? print_report(*report, options.json) : report.error();
 }
 
@@ -152,7 +197,8 @@ Result<void> run_render(const RenderOptions& options) {
   for (const std::string& file : {options.output, options.json}) {
     if (const auto ready = check_output(file); !ready) return ready;
   }
-  return options.reference ? run_reference(options) : run_with_tree(options);
+  if (options.reference) return run_reference(options);
+  return options.tree.build.lazy ? run_lazily(options) : run_with_tree(options);
 }
 
 std::string check_image_name(const std::string& file) {
@@ -214,9 +260,13 @@ void add_render(CLI::App& app, Run& run) {
       ->excludes("--heat")
       ->excludes("--builder")
       ->excludes("--traversal")
+      ->excludes("--lazy")
       ->excludes("--arithmetic");
   add_json(*command, options->json);
   command->callback([options, &run] {
+    check_lazy(options->tree);
+    if (options->tree.build.lazy && options->render.arithmetic != Arithmetic::exact)
+      throw CLI::ValidationError("--lazy", "a tree that grows is met by --arithmetic exact only");
     if (options->json == options->output)
       throw CLI::ValidationError("--json", "'" + options->json + "' is where the picture goes");
     run = [options] { return run_render(*options); };

@@ -44,7 +44,10 @@ void add_stats(CLI::App& app, Run& run) {
   add_scene(*command, options->tree.scene)->required();
   add_tree_options(*command, options->tree);
   add_json(*command, options->json);
-  command->callback([options, &run] { run = [options] { return run_stats(*options); }; });
+  command->callback([options, &run] {
+    check_lazy(options->tree);
+    run = [options] { return run_stats(*options); };
+  });
 }
 
 }  // namespace bspview

@@ -31,12 +31,6 @@ CLI::Option* add_names(CLI::App& app, const std::string& name,
       ->default_str(std::string(name_of(value)));
 }
 
-/// Planned values get a sentence of their own.
-CLI::Validator refuse(const std::string& value, const std::string& sentence) {
-  return CLI::Validator(
-      [=](const std::string& text) { return text == value ? sentence : std::string(); }, "");
-}
-
 void add_split_options(CLI::App& app, BuildParams& build) {
   add_names(app, "--builder", builder_names(), build.builder)
       ->description("How split planes are chosen")
@@ -104,6 +98,20 @@ void add_size_options(CLI::App& app, BuildParams& build) {
       ->group(group);
 }
 
+void add_lazy(CLI::App& app, BuildParams& build, const std::string& not_lazy) {
+  const auto refuse = [not_lazy](const std::string& text) {
+    return text == "on" ? not_lazy : std::string();
+  };
+  app.add_option_function<std::string>(
+         "--lazy", [&build](const std::string& text) { build.lazy = text == "on"; },
+         "Build what is below the upper nodes where and when rays come to it")
+      ->check(CLI::IsMember({"on", "off"}).description(""))
+      ->check(CLI::Validator(refuse, ""))
+      ->type_name("on|off")
+      ->default_str("off")
+      ->group(group);
+}
+
 }  // namespace
 
 CLI::Option* add_scene(CLI::App& app, std::string& scene) {
@@ -118,19 +126,23 @@ void add_arithmetic_options(CLI::App& app, Arithmetic& arithmetic, OffsetRule& o
       ->description("What keeps a ray off the surface that it leaves");
 }
 
-void add_tree_options(CLI::App& app, TreeOptions& options) {
+void check_lazy(const TreeOptions& options) {
+  if (!options.build.lazy) return;
+  if (options.build.builder == Builder::naive) {
+    throw CLI::ValidationError("--lazy", "the builder naive splits nothing that could wait");
+  }
+  if (options.traversal != Traversal::robust) {
+    throw CLI::ValidationError("--lazy", "a tree that grows is walked by --traversal robust only");
+  }
+}
+
+void add_tree_options(CLI::App& app, TreeOptions& options, const std::string& not_lazy) {
   add_split_options(app, options.build);
   add_size_options(app, options.build);
   add_names(app, "--traversal", traversal_names(), options.traversal)
       ->description("How a ray walks the tree")
       ->group(group);
-  app.add_option_function<std::string>(
-         "--lazy", [](const std::string&) {}, "Build subtrees when a ray first needs them")
-      ->check(refuse("on", "this version always builds the whole tree first"))
-      ->check(CLI::IsMember({"off"}).description(""))
-      ->type_name("on|off")
-      ->default_str("off")
-      ->group(group);
+  add_lazy(app, options.build, not_lazy);
   app.add_option("--threads", options.build.threads, "Threads; 0: all cores")
       ->check(CLI::Range(0, 1024).description(""))
       ->type_name("N")

@@ -24,7 +24,11 @@ CLI::Option* add_scene(CLI::App& app, std::string& scene);
 /// --arithmetic and --offset. The values outlive the parsing.
 void add_arithmetic_options(CLI::App& app, Arithmetic& arithmetic, OffsetRule& offset);
 
-/// Every tree option. `options` outlives the parsing.
-void add_tree_options(CLI::App& app, TreeOptions& options);
+/// Every tree option. `options` outlives the parsing. `not_lazy`: why --lazy on is refused; ""
+/// where it is not.
+void add_tree_options(CLI::App& app, TreeOptions& options, const std::string& not_lazy = "");
+
+/// Whether --lazy on goes together with the other options; throws CLI::ValidationError.
+void check_lazy(const TreeOptions& options);
 
 }  // namespace bspview

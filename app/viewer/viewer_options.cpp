@@ -94,7 +94,7 @@ void add_viewer_options(CLI::App& app, ViewerOptions& options) {
   add_switch(app, "--check", options.check)
       ->description("Check the pixels against exact hits")
       ->group(group);
-  add_tree_options(app, options.tree);
+  add_tree_options(app, options.tree, "the viewer draws whole trees");
 }
 
 void apply_options(const ViewerOptions& options, State& state) {

@@ -17,12 +17,12 @@ class BinnedParts {
   FewParts few_parts(ScratchStack& scratch) const;
   BinnedParts split(const CellSplit& split, ScratchStack& scratch);
   void release() { parts_.release(); }
+  std::span<const ObjectPart> parts() const { return {parts_.data(), count_}; }
 
  private:
   BinnedParts(const BuildJob& job, std::size_t capacity, ScratchStack& scratch)
       : job_(&job), parts_(scratch, capacity) {}
 
-  std::span<const ObjectPart> parts() const { return {parts_.data(), count_}; }
   void push(const Aabb& box, std::uint32_t object) { parts_[count_++] = {box, object}; }
 
   const BuildJob* job_;

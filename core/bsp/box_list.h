@@ -24,6 +24,7 @@ class BoxList {
   std::optional<Split> find_split(const Place& place) const { return rule_(*job_, parts_, place); }
   BoxList split(const CellSplit& split, ScratchStack& scratch);
   void release() { parts_ = {}; }
+  std::span<const ObjectPart> parts() const { return parts_; }
 
  private:
   const BuildJob* job_;

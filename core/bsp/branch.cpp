@@ -20,6 +20,10 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, Branch& part
                [&](std::size_t i) { whole.nodes.push_back(moved(part.nodes[i + 1])); });
   job.for_each(part.references.size(), light_steps,
                [&](std::size_t i) { whole.references.push_back(part.references[i]); });
+  for (DeferredLeaf& leaf : part.deferred) {
+    leaf.node = leaf.node == 0 ? slot : leaf.node + first_node;
+    whole.deferred.push_back(std::move(leaf));
+  }
   whole.inner.append(part.inner);
   whole.metered += part.metered - sizeof(Node);
 }

@@ -16,6 +16,7 @@ namespace bspview {
 struct Branch {
   std::vector<Node> nodes;  ///< [0] is the branch's root; children come in pairs behind parents
   std::vector<std::uint32_t> references;
+  std::vector<DeferredLeaf> deferred;
   InnerLists inner;         ///< where the job keeps them
   std::size_t metered = 0;  ///< bytes that the job's meter knows of
   ScratchStack scratch;

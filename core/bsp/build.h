@@ -26,10 +26,10 @@ struct BuildInput {
   ConvexFunction convex = {};   ///< what the builder may clip itself, several times as fast
 };
 
-/// Builds a tree. The result depends on no thread count and no timing. The maximal depth is clamped
-/// to depth_cap, the leaf size to at least 1; where the memory limit leaves no room for two
-/// children, a node becomes a leaf. Fails with the error "stopped" soon (within milliseconds) after
-/// `stop` is requested, and when memory runs out. Fills `inner`, unless one of the limits is
+/// Builds a tree, all of it. The result depends on no thread count and no timing. The maximal depth
+/// is clamped to depth_cap, the leaf size to at least 1; where the memory limit leaves no room for
+/// two children, a node becomes a leaf. Fails with the error "stopped" soon (within milliseconds)
+/// after `stop` is requested, and when memory runs out. Fills `inner`, unless one of the limits is
 /// passed.
 Result<Tree> build_tree(const BuildInput& input, const BuildParams& params,
                         std::stop_token stop = {}, InnerObjects* inner = nullptr);

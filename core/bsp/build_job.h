@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/bsp/build.h"
 #include "core/bsp/cost.h"
+#include "core/bsp/deferred_leaf.h"
 #include "core/bsp/memory_limit.h"
 
 namespace bspview {
@@ -25,12 +26,14 @@ struct BuildJob {
   const BuildInput& input;
   Aabb box = {};  ///< of the root
   CostModel costs;
+  int depth = 0;  ///< of the root; not 0 where it is a node of another tree
   int max_depth = 0;
   std::size_t leaf_size = 1;
   bool clip = false;
-  double min_width = 0.0;      ///< of a cell that a split makes; not 0
-  double clip_margin = 0.0;    ///< of outlines
-  std::size_t task_count = 0;  ///< a child with fewer objects is not worth a task of its own
+  double min_width = 0.0;         ///< of a cell that a split makes; not 0
+  double clip_margin = 0.0;       ///< of outlines
+  std::size_t task_count = 0;     ///< a child with fewer objects is not worth a task of its own
+  std::size_t deferred_size = 0;  ///< nodes with at most as many objects are put off; 0: none is
   std::size_t memory_limit = 0;
   MemoryMeter* meter = nullptr;   ///< null: memory is not limited
   InnerObjects* inner = nullptr;  ///< null: what inner nodes hold is not kept
@@ -51,6 +54,19 @@ struct BuildJob {
   }
 };
 
+// Nodes count their objects with 30 bits.
+inline constexpr std::size_t most_objects = (std::size_t{1} << 30) - 1;
+
+/// The union of the boxes, each side moved outwards by 1e-5 x the largest one; throws BuildStopped.
+Aabb root_box(const BuildInput& input, const std::stop_token& stop);
+
+/// A job for the whole tree, whose root has the box `root`.
+BuildJob make_job(const BuildInput& input, const BuildParams& params, const Aabb& root,
+                  std::stop_token stop);
+
+/// What it starts from; throws BuildStopped.
+std::vector<ObjectPart> placeable_objects(const BuildJob& job);
+
 /// Runs body(0), body(1) and body(2), at the same time when a node has many objects.
 template <class Body>
 void for_each_axis(std::size_t objects, const Body& body) {
@@ -58,18 +74,6 @@ void for_each_axis(std::size_t objects, const Body& body) {
   if (objects >= worth_three_tasks) return parallel_for(3, body);
   for (int axis = 0; axis < 3; ++axis) body(axis);
 }
-
-/// The part of an object that lies in a node, by its box.
-struct ObjectPart {
-  Aabb box;
-  std::uint32_t object = 0;
-};
-
-/// A node's place in the tree.
-struct Place {
-  Aabb cell;
-  int depth = 0;
-};
 
 /// A plane, and how many objects touch each side of it (an object in the plane touches both).
 struct Split {

@@ -19,6 +19,7 @@ namespace bspview {
 ///     void release();                                            the objects are needed no more
 ///     FewParts few_parts(ScratchStack&) const;                   optional: of at most
 ///     FewParts::most
+///     std::span<const ObjectPart> parts() const;                 optional: nodes can be put off
 template <class Objects>
 class Recursion {
  public:
@@ -26,7 +27,7 @@ class Recursion {
 
   void grow_root(Objects& objects, Branch& branch) const {
     branch.nodes.push_back(Node::make_leaf(0, 0));
-    grow(objects, {job_.box, 0}, {branch, 0});
+    grow(objects, {job_.box, job_.depth}, {branch, 0});
     meter(job_, branch);
   }
 
@@ -48,6 +49,9 @@ class Recursion {
   static constexpr std::size_t meter_step = std::size_t{1} << 16;
 
   void grow(Objects& objects, const Place& place, Slot slot) const {
+    if constexpr (requires { objects.parts(); }) {
+      if (is_put_off(objects.count(), place)) return defer(objects, place, slot);
+    }
     if constexpr (requires { objects.few_parts(slot.branch.scratch); }) {
       if (objects.count() <= FewParts::most) {
         FewParts few = objects.few_parts(slot.branch.scratch);
@@ -77,6 +81,17 @@ class Recursion {
     // doubles the tree, and even where what did not pay is taken back it saves 1 % of the cost.
     if (split->cost > job_.costs.leaf(objects.count())) return {};
     return split;
+  }
+
+  bool is_put_off(std::size_t objects, const Place& place) const {
+    return objects <= job_.deferred_size && objects > job_.leaf_size &&
+           place.depth < job_.max_depth;
+  }
+
+  void defer(const Objects& objects, const Place& place, Slot slot) const {
+    const auto parts = objects.parts();
+    slot.branch.deferred.push_back({slot.node, place, {parts.begin(), parts.end()}});
+    make_leaf(objects, slot);
   }
 
   void make_leaf(const Objects& objects, Slot slot) const {

@@ -19,4 +19,7 @@ GrowTree grow_mb;             // split_mb.cpp
 GrowTree grow_sah;            // split_sah_sweep.cpp
 GrowTree grow_sah_binned;     // split_sah_binned.cpp
 
+/// That of a builder.
+GrowTree* rule_of(Builder builder);
+
 }  // namespace bspview

@@ -30,6 +30,7 @@ struct BuildParams {
   float empty_bonus = 0.1f;      ///< share of the cost that a split with one empty side saves
   std::size_t memory_limit = std::size_t{1} << 30;  ///< bytes of nodes and references
   int threads = 0;               ///< 0: every core; never changes the tree
+  bool lazy = false;             ///< built where rays go (core/render/lazy_tree.h)
 
   bool operator==(const BuildParams&) const = default;
 };
@@ -45,6 +46,7 @@ struct Tree {
   Aabb box;                               ///< of the root; holds every object
   std::vector<Node> nodes;
   std::vector<std::uint32_t> references;  ///< object ids, leaf after leaf
+  std::vector<std::uint32_t> unbuilt;     ///< leaves that are yet to be split; ascending
   std::size_t object_count = 0;
   BuildParams params;                     ///< as asked for
   int max_depth = 0;                      ///< in force

@@ -13,6 +13,8 @@ TreeReport::TreeReport(const Tree& tree, Traversal how)
   params.max_depth = tree.max_depth;
   params.clip = effective_clip(tree.params);
   params.threads = thread_count(tree.params.threads);
+  unbuilt_leaves = tree.unbuilt.size();
+  for (const std::uint32_t leaf : tree.unbuilt) unbuilt_references += tree.nodes[leaf].count();
 }
 
 Report::Report(const Scene& scene)

@@ -19,6 +19,7 @@ struct TreeReport {
   bool memory_limit_reached;
   std::size_t bytes;
   TreeStats stats;
+  std::uint64_t unbuilt_leaves = 0, unbuilt_references = 0;  ///< of stats: no ray has needed them
 };
 
 /// What a command found out. What is nullopt was not asked for.
@@ -33,6 +34,8 @@ struct Report {
   std::optional<Lambda> lambda;
   std::optional<RayCounts> rays;
   std::optional<double> samples_per_pixel;  ///< eye rays / pixels
+  /// From the scene to the first picture; of trees that grow while it is made.
+  std::optional<double> first_picture_seconds;
   std::uint64_t seed = 0;
   Machine machine = this_machine();
 };

@@ -60,7 +60,7 @@ Json build_json(const Report& report) {
                   {"cost_intersection", shortest(params.cost_intersection)},
                   {"empty_bonus", shortest(params.empty_bonus)},
                   {"traversal", name_of(traversal)},
-                  {"lazy", false},
+                  {"lazy", params.lazy},
                   {"memory_limit", params.memory_limit},
                   {"memory_limit_reached", report.tree && report.tree->memory_limit_reached},
                   {"seed", report.seed}},
@@ -88,7 +88,9 @@ Json tree_json(const Report& report) {
                   {"bytes", report.tree ? report.tree->bytes : 0},
                   {"expected_cost", or_null(stats.expected_cost)},
                   {"leaves_at_depth", stats.leaves_at_depth},
-                  {"leaves_with_objects", leaf_sizes(stats)}},
+                  {"leaves_with_objects", leaf_sizes(stats)},
+                  {"unbuilt_leaves", report.tree ? report.tree->unbuilt_leaves : 0},
+                  {"unbuilt_references", report.tree ? report.tree->unbuilt_references : 0}},
                  report.tree.has_value());
 }
 
@@ -111,6 +113,7 @@ Json lambda_json(const Report& report) {
     json[key] = values[i] ? or_null(values[i]->median) : Json(nullptr);
     if (values[i] && values[i]->repeats > 1) json[key + "_spread"] = or_null(values[i]->spread);
   }
+  if (report.first_picture_seconds) json["first_picture"] = *report.first_picture_seconds;
   if (values.back()) json["T_TT_method"] = traversal_time_method();
   return json;
 }

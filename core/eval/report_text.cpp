@@ -54,6 +54,11 @@ std::string tree_text(const TreeReport& tree) {
       "        deepest leaf at {}, {}, expected cost {}\n",
       stats.nodes, stats.inner, stats.leaves, stats.empty_leaves, stats.references,
       stats.deepest_leaf, bytes(tree.bytes), number(stats.expected_cost));
+  if (params.lazy) {
+    text += fmt::format(
+        "        lazy: {} of the leaves, with {} references, are not built: no ray came there\n",
+        tree.unbuilt_leaves, tree.unbuilt_references);
+  }
   if (tree.memory_limit_reached) {
     text += fmt::format(
         "        the memory limit of {} was reached: some leaves could have been split\n",
@@ -124,6 +129,10 @@ std::string to_text(const Report& report) {
                   report.objects.objects == 1 ? "" : "s", kinds(report.objects));
   text += degenerate_text(report.objects);
   if (report.tree) text += tree_text(*report.tree);
+  if (report.first_picture_seconds) {
+    text += fmt::format("        first picture {} s after the scene was there\n",
+                        number(report.first_picture_seconds));
+  }
   if (report.delta) text += delta_text(*report.delta);
   if (report.lambda) text += lambda_text(*report.lambda);
   if (report.rays) text += rays_text(*report.rays);

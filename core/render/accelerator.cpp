@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
+#include "core/render/lazy_part.h"
 
 namespace bspview {
 namespace {
@@ -38,6 +39,98 @@ Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
   const float margin = margin_around(scene, id, box);
   return margin > 0.0f ? Aabb{box.lo - margin, box.hi + margin} : box;
 }
+
+/// What rays can hit of a part, in its cell.
+Aabb hit_bounds(const Scene& scene, const LazyPart& part) {
+  Aabb box;
+  for (const auto& [bounds, object] : part.objects()) {
+    const float margin = margin_around(scene, object, bounds);
+    box.grow({bounds.lo - margin, bounds.hi + margin});
+  }
+  return intersection(box, part.place().cell);
+}
+
+/// A tree whose objects are numbered from 0 on, so that few take little room; each leaf that was
+/// put off holds one object more.
+class LocalTree {
+ public:
+  LocalTree(const Scene& scene, const Tree& tree,
+            std::span<const std::shared_ptr<const LazyPart>> parts)
+      : first_part_(static_cast<std::uint32_t>(scene.objects.size())), tree_(tree) {
+    find_ids(parts);
+    number(parts);
+    objects_.resize(ids_.size() + parts.size());
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      objects_[i] = {hit_bounds(scene, ids_[i]), is_triangle(scene, ids_[i])};
+    }
+    parallel_for(static_cast<int>(parts.size()), [&](int i) {
+      const auto part = static_cast<std::size_t>(i);
+      objects_[ids_.size() + part] = {hit_bounds(scene, *parts[part]), false};
+    });
+  }
+
+  const Tree& tree() const { return tree_; }
+  std::span<const WideObject> objects() const { return objects_; }
+  /// The id of an object; parts come behind all objects of the scene.
+  std::uint32_t name_of(std::uint32_t object) const {
+    if (object < ids_.size()) return ids_[object];
+    return first_part_ + object - static_cast<std::uint32_t>(ids_.size());
+  }
+
+ private:
+  using Parts = std::span<const std::shared_ptr<const LazyPart>>;
+
+  /// Calls leaf(node) for all leaves, part(node, number) for those that were put off.
+  template <class Leaf, class Part>
+  void for_each_leaf(Parts parts, const Leaf& leaf, const Part& part) {
+    std::uint32_t next = 0;
+    for (std::uint32_t i = 0; i < tree_.nodes.size(); ++i) {
+      if (!tree_.nodes[i].is_leaf()) continue;
+      if (next < parts.size() && parts[next]->node() == i) {
+        part(tree_.nodes[i], next++);
+      } else {
+        leaf(tree_.nodes[i]);
+      }
+    }
+  }
+
+  void find_ids(Parts parts) {
+    for_each_leaf(
+        parts,
+        [&](const Node& leaf) {
+          const auto objects = tree_.objects_of(leaf);
+          ids_.insert(ids_.end(), objects.begin(), objects.end());
+        },
+        [](const Node&, std::uint32_t) {});
+    std::ranges::sort(ids_);
+    ids_.erase(std::ranges::unique(ids_).begin(), ids_.end());
+  }
+
+  void number(Parts parts) {
+    std::vector<std::uint32_t> references;
+    const auto place = [&] { return static_cast<std::uint32_t>(references.size()); };
+    for_each_leaf(
+        parts,
+        [&](Node& leaf) {
+          const std::uint32_t first = place();
+          for (const std::uint32_t id : tree_.objects_of(leaf)) {
+            const auto found = std::ranges::lower_bound(ids_, id);
+            references.push_back(static_cast<std::uint32_t>(found - ids_.begin()));
+          }
+          leaf = Node::make_leaf(first, leaf.count());
+        },
+        [&](Node& leaf, std::uint32_t part) {
+          leaf = Node::make_leaf(place(), 1);
+          references.push_back(static_cast<std::uint32_t>(ids_.size()) + part);
+        });
+    tree_.references = std::move(references);
+  }
+
+  const std::uint32_t first_part_;
+  Tree tree_;
+  std::vector<std::uint32_t> ids_;
+  std::vector<WideObject> objects_;
+};
 
 RawVector<WideObject> wide_objects(const Scene& scene, const std::stop_token& stop) {
   RawVector<WideObject> objects;
@@ -79,6 +172,8 @@ class Accelerator::LeafMaker {
     ranges_.resize((leaves.size() + range_size - 1) / range_size);
   }
 
+  std::span<const std::uint32_t> names() const { return names_; }
+
   void make(const std::stop_token& stop) {
     parallel_ranges(leaves_.size(), range_size, [&](std::size_t first, std::size_t last) {
       Sizes& range = ranges_[first / range_size];
@@ -108,7 +203,13 @@ class Accelerator::LeafMaker {
     }
   };
 
+  /// Parts are numbered behind the objects; each is alone in its leaf.
+  bool is_part(std::span<const std::uint32_t> objects) const {
+    return objects.front() >= first_part();
+  }
+
   Sizes sizes_of(std::span<const std::uint32_t> objects) const {
+    if (is_part(objects)) return {};
     const auto is_one = [&](std::uint32_t id) { return is_triangle(scene_, id); };
     const auto triangles = static_cast<std::size_t>(std::ranges::count_if(objects, is_one));
     Sizes sizes{(triangles + TriangleBlock::width - 1) / TriangleBlock::width,
@@ -137,6 +238,7 @@ class Accelerator::LeafMaker {
 
   /// Answers the name of the leaf, and moves `place` behind it.
   std::uint32_t make_leaf(std::span<const std::uint32_t> objects, Sizes& place) const {
+    if (is_part(objects)) return part_bits | (objects.front() - first_part());
     WideLeaf leaf{static_cast<std::uint32_t>(place.blocks), 0,
                   static_cast<std::uint32_t>(place.others), 0};
     std::size_t triangles = 0;
@@ -162,6 +264,8 @@ class Accelerator::LeafMaker {
     made_.mixed_[place.mixed] = leaf;
     return mixed_bit | static_cast<std::uint32_t>(place.mixed++);
   }
+
+  std::uint32_t first_part() const { return static_cast<std::uint32_t>(scene_.objects.size()); }
 
   bool is_mixed(std::size_t blocks, std::size_t others) const {
     return all_mixed_ || others > 0 || blocks > most_blocks;
@@ -192,6 +296,34 @@ class Accelerator::LeafMaker {
 std::size_t Accelerator::bytes() const {
   return tree_.bytes() + blocks_.size() * sizeof(TriangleBlock) +
          others_.size() * sizeof(std::uint32_t) + mixed_.size() * sizeof(WideLeaf);
+}
+
+std::shared_ptr<const Accelerator> Accelerator::lay_out(
+    const Scene& scene, const Tree& tree, std::vector<std::shared_ptr<const LazyPart>> parts,
+    const std::stop_token& stop) {
+  const Timer timer;
+  LocalTree local(scene, tree, parts);
+  auto widened = widen(local.tree(), local.objects(), stop);
+  if (!widened) return nullptr;
+  auto accelerator = std::make_shared<Accelerator>();
+  accelerator->tree_ = std::move(widened->tree);
+  for (std::uint32_t& object : widened->leaves.objects) object = local.name_of(object);
+  LeafMaker(scene, widened->leaves, *accelerator).make(stop);
+  if (stop.stop_requested()) return nullptr;
+  accelerator->parts_ = std::move(parts);
+  accelerator->build_seconds_ = timer.seconds();
+  return accelerator;
+}
+
+Accelerator Accelerator::lone_leaf(const Scene& scene, std::span<const std::uint32_t> objects) {
+  WideLeaves leaves;
+  leaves.objects.assign(objects.begin(), objects.end());
+  leaves.ranges.push_back({0, static_cast<std::uint32_t>(objects.size())});
+  Accelerator accelerator;
+  LeafMaker maker(scene, leaves, accelerator);
+  maker.make({});
+  accelerator.lone_leaf_ = WideNode::leaf_bit | maker.names()[0];
+  return accelerator;
 }
 
 std::shared_ptr<const Accelerator> make_accelerator(const World& world, std::stop_token stop) {

@@ -9,6 +9,8 @@
 
 namespace bspview {
 
+class LazyPart;
+
 /// A leaf of the wide tree: blocks of triangles, and what else is in it.
 struct WideLeaf {
   std::uint32_t first_block = 0, block_count = 0;
@@ -25,19 +27,36 @@ class Accelerator {
   std::span<const std::uint32_t> others(const WideLeaf& leaf) const {
     return std::span(others_).subspan(leaf.first_other, leaf.other_count);
   }
-  /// Of a child with WideNode::leaf_bit.
+  /// What a child with WideNode::leaf_bit is if it is no leaf but a tree of its own; else null.
+  const LazyPart* part(std::uint32_t child) const {
+    if ((child & part_bits) != part_bits) [[likely]]
+      return nullptr;
+    return parts_[child & ~(WideNode::leaf_bit | part_bits)].get();
+  }
+  std::span<const std::shared_ptr<const LazyPart>> parts() const { return parts_; }
+  /// Of any other child with WideNode::leaf_bit.
   WideLeaf leaf(std::uint32_t child) const {
     if (child & mixed_bit) return mixed_[child & ~(WideNode::leaf_bit | mixed_bit)];
     return {(child & ~WideNode::leaf_bit) >> count_bits, child & most_blocks, 0, 0};
   }
-  std::size_t bytes() const;
+  std::size_t bytes() const;  ///< without those of its parts
   double build_seconds() const { return build_seconds_; }
+
+  /// Of a tree whose leaves in tree.unbuilt are `parts`. Nothing soon after a stop is requested.
+  static std::shared_ptr<const Accelerator> lay_out(
+      const Scene& scene, const Tree& tree, std::vector<std::shared_ptr<const LazyPart>> parts,
+      const std::stop_token& stop);
+
+  /// A leaf with those objects and nothing else: there are no nodes, its name is lone_leaf().
+  static Accelerator lone_leaf(const Scene& scene, std::span<const std::uint32_t> objects);
+  std::uint32_t lone_leaf() const { return lone_leaf_; }  ///< 0: there are nodes
 
   friend std::shared_ptr<const Accelerator> make_accelerator(const World&, std::stop_token);
 
  private:
   // The name of a leaf of triangles says which; others are in the list of mixed ones.
   static constexpr std::uint32_t mixed_bit = 0x40000000u;
+  static constexpr std::uint32_t part_bits = mixed_bit | 0x20000000u;
   static constexpr int count_bits = 5;
   static constexpr std::uint32_t most_blocks = (1u << count_bits) - 1u;
 
@@ -47,6 +66,8 @@ class Accelerator {
   RawVector<TriangleBlock> blocks_;
   RawVector<std::uint32_t> others_;
   RawVector<WideLeaf> mixed_;
+  std::vector<std::shared_ptr<const LazyPart>> parts_;
+  std::uint32_t lone_leaf_ = 0;
   double build_seconds_ = 0.0;
 };
 

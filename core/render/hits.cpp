@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "core/render/hits.h"
+#include "core/render/lazy_walk.h"
 #include "core/render/packet-inl.h"
 #include "core/render/single_ray-inl.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 template <bool any>
 Hit find_in_binary_tree(const World& world, const Ray& ray, SideRule rule) {
+  if (world.lazy != nullptr) return find_in_parts(world, ray, rule, any);
   NoObserver none;
   const TraceRules rules{.sides = rule, .shadow_sides = rule};
   if (any) return {0.0, any_hit(world, ray, rules, none), no_leaf};
@@ -95,10 +97,11 @@ std::uint32_t walk_leaves_here(const World& world, const Ray& ray, std::uint32_t
   std::uint32_t last = wide.near_row[0] == 0 ? 0 : no_leaf;  // of the ray, lest it be left out
   if (leaves == 0) return last;
   float reach = ray.t_max;
-  traverse_wide(world.accelerator->tree(), wide, reach, [&](std::uint32_t child) {
+  const auto pass = [&](const Accelerator&, std::uint32_t child) {
     last = child;
     if (--leaves == 0) reach = -1.0f;
-  });
+  };
+  traverse_parts(*world.accelerator, wide, reach, pass);
   return last;
 }
 
@@ -107,8 +110,8 @@ std::uint64_t walk_alone(const World& world, const Ray& ray, float end) {
   std::uint64_t sum = 0;
   const float reach = end * hit_margin;
   if (!is_plain(ray)) return sum;
-  traverse_wide(world.accelerator->tree(), WideRay(ray), reach,
-                [&](std::uint32_t child) { sum += child; });
+  const auto pass = [&](const Accelerator&, std::uint32_t child) { sum += child; };
+  traverse_parts(*world.accelerator, WideRay(ray), reach, pass);
   return sum;
 }
 

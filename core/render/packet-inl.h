@@ -10,9 +10,9 @@
 
 #include <optional>
 
-#include "core/bsp/traverse_wide_packet-inl.h"
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
+#include "core/render/traverse_parts-inl.h"
 #include "core/shape/triangle_block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -88,10 +88,10 @@ class Packet {
   template <bool any>
   void trace(const Class& rays) {
     set_class(rays);
-    traverse_wide_packet(world_.accelerator->tree(), walk_, rays.lanes,
-                         [this](std::uint32_t child, unsigned lanes) {
-                           meet_leaf<any>(world_.accelerator->leaf(child), lanes);
-                         });
+    const auto meet = [this](const Accelerator& accelerator, std::uint32_t child, unsigned lanes) {
+      meet_leaf<any>(accelerator, accelerator.leaf(child), lanes);
+    };
+    traverse_parts_packet(*world_.accelerator, walk_, rays.lanes, meet);
   }
 
   /// The walk alone, each lane to its end; none: makes ready, no more. Answers the names of the
@@ -104,8 +104,8 @@ class Packet {
       const int lane = take_lane(rest);
       walk_.reach[lane] = ends[static_cast<std::size_t>(lane)] * hit_margin;
     }
-    traverse_wide_packet(world_.accelerator->tree(), walk_, rays.lanes,
-                         [&](std::uint32_t child, unsigned) { sum += child; });
+    const auto pass = [&](const Accelerator&, std::uint32_t child, unsigned) { sum += child; };
+    traverse_parts_packet(*world_.accelerator, walk_, rays.lanes, pass);
     return sum;
   }
 
@@ -178,14 +178,14 @@ class Packet {
   }
 
   template <bool any>
-  HWY_INLINE void meet_leaf(const WideLeaf& leaf, unsigned lanes) {
-    const TriangleBlock* block = world_.accelerator->blocks() + leaf.first_block;
+  HWY_INLINE void meet_leaf(const Accelerator& accelerator, const WideLeaf& leaf, unsigned lanes) {
+    const TriangleBlock* block = accelerator.blocks() + leaf.first_block;
     for (std::uint32_t i = 0; i < leaf.block_count; ++i, ++block) {
       lanes &= rays_.active;
       if (lanes == 0) return;
       meet_block<any>(*block, lanes);
     }
-    for (const std::uint32_t id : world_.accelerator->others(leaf)) {
+    for (const std::uint32_t id : accelerator.others(leaf)) {
       for (unsigned rest = lanes & rays_.active; rest != 0;) {
         const int lane = take_lane(rest);
         keep<any>(lane, id, hit_object(world_.scene, id, query(lane), rule_));

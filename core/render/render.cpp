@@ -140,6 +140,13 @@ Result<CountedImage> render_counted(const World& world, const Camera& camera,
   return result;
 }
 
+Result<Image> render_with(const Scene& scene, const RayKernel& kernel, const Camera& camera,
+                          const RenderParams& params, const Watch& watch) {
+  return trace_image(
+      Job{scene, camera, params, watch}, [&] { return KernelTracer(kernel); },
+      [](KernelTracer&, int) {});
+}
+
 Result<Image> render_reference(const Scene& scene, const Camera& camera, const RenderParams& params,
                                const Watch& watch) {
   return trace_image(

@@ -10,6 +10,7 @@
 #include "core/bsp/ray_log.h"
 #include "core/bsp/traversal.h"
 #include "core/render/arithmetic.h"
+#include "core/render/intersect.h"
 #include "core/render/ray_counts.h"
 #include "core/render/world.h"
 
@@ -54,6 +55,14 @@ struct CountedImage {
 };
 Result<CountedImage> render_counted(const World& world, const Camera& camera,
                                     const RenderParams& params, const Watch& watch = {});
+
+/// What else can answer the rays of a picture, from several threads; see PlainTracer.
+struct RayKernel {
+  std::function<Hit(const Ray&)> closest;
+  std::function<bool(const Ray&)> is_occluded;
+};
+Result<Image> render_with(const Scene& scene, const RayKernel& kernel, const Camera& camera,
+                          const RenderParams& params, const Watch& watch = {});
 
 /// The same picture by brute force in double precision, without a tree.
 Result<Image> render_reference(const Scene& scene, const Camera& camera, const RenderParams& params,

@@ -10,9 +10,9 @@
 
 #include <optional>
 
-#include "core/bsp/traverse_wide-inl.h"
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
+#include "core/render/traverse_parts-inl.h"
 #include "core/shape/triangle_block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -71,27 +71,28 @@ class SingleRay {
   /// visit() is told of each leaf.
   template <class Visit>
   HWY_INLINE Hit trace(Visit&& visit) {
-    traverse_wide(world_.accelerator->tree(), WideRay(ray_), reach_, [&](std::uint32_t child) {
+    const auto meet = [&](const Accelerator& accelerator, std::uint32_t child) {
       visit();
-      meet_leaf(child);
-    });
+      meet_leaf(accelerator, child);
+    };
+    traverse_parts(*world_.accelerator, WideRay(ray_), reach_, meet);
     return best_;
   }
 
  private:
-  HWY_INLINE void meet_leaf(std::uint32_t child) {
-    const WideLeaf leaf = world_.accelerator->leaf(child);
-    const TriangleBlock* block = world_.accelerator->blocks() + leaf.first_block;
+  HWY_INLINE void meet_leaf(const Accelerator& accelerator, std::uint32_t child) {
+    const WideLeaf leaf = accelerator.leaf(child);
+    const TriangleBlock* block = accelerator.blocks() + leaf.first_block;
     for (std::uint32_t i = 0; i < leaf.block_count; ++i, ++block) {
       const BlockHits hits = find_triangles(triangle_ray_, *block);
       if (hits.possible != 0) meet_triangles(*block, hits);
       if (any && best_) return;
     }
-    if (leaf.other_count != 0) meet_others(leaf);
+    if (leaf.other_count != 0) meet_others(accelerator, leaf);
   }
 
-  HWY_INLINE void meet_others(const WideLeaf& leaf) {
-    for (const std::uint32_t id : world_.accelerator->others(leaf)) {
+  HWY_INLINE void meet_others(const Accelerator& accelerator, const WideLeaf& leaf) {
+    for (const std::uint32_t id : accelerator.others(leaf)) {
       keep(id, hit_object(world_.scene, id, query(), rule_));
       if (any && best_) return;
     }

@@ -143,6 +143,20 @@ class PathTracer {
   std::vector<int> last_at_level_;  // index of the last ray that is no shadow ray; index: level
 };
 
+/// Asks a kernel that is not known here.
+class KernelTracer {
+ public:
+  explicit KernelTracer(const RayKernel& kernel) : kernel_(kernel) {}
+  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    find_eye_hits(*this, rays, hits);
+  }
+  Hit closest(const Ray& ray, RayKind, int) { return kernel_.closest(ray); }
+  bool occluded(const Ray& ray, int) { return kernel_.is_occluded(ray); }
+
+ private:
+  const RayKernel& kernel_;
+};
+
 /// Every object, in double: what pictures are checked against.
 class ReferenceTracer {
  public:

@@ -24,7 +24,7 @@ TEST_F(Stats, JsonHasEveryPublishedKey) {
       {"build", "builder max_depth leaf_size clip threads"},
       {"tree",
        "nodes interior leaves empty_leaves references deepest_leaf bytes expected_cost "
-       "leaves_at_depth leaves_with_objects"},
+       "leaves_at_depth leaves_with_objects unbuilt_leaves unbuilt_references"},
       {"delta", "N_LS R_ETNLS N_ADL N_AOIAL N_AOIFL R_FVWV N_RPRT N_AT"},
       {"lambda", "T_CB T_TR T_TT_over_T_TR"},
       {"rays",

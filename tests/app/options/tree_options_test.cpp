@@ -74,9 +74,29 @@ TEST(TreeOptions, AnAbsurdDepthIsTheLargestOne) {
   EXPECT_EQ(parse({"s", "--max-depth", "0"}).options.build.max_depth, 0);
 }
 
-TEST(TreeOptions, WhatThisVersionDoesNotHaveIsRefusedWithItsSentence) {
-  EXPECT_EQ(parse({"s", "--lazy", "on"}).error,
-            "--lazy: this version always builds the whole tree first");
+TEST(TreeOptions, LazyTreesGoWithWhatCanGrowAlone) {
+  EXPECT_FALSE(parse({"s"}).options.build.lazy);
+  EXPECT_TRUE(parse({"s", "--lazy", "on"}).options.build.lazy);
+  EXPECT_FALSE(parse({"s", "--lazy", "off"}).options.build.lazy);
+  EXPECT_NO_THROW(check_lazy(parse({"s", "--lazy", "on"}).options));
+  EXPECT_NO_THROW(check_lazy(parse({"s", "--traversal", "havran"}).options));
+  EXPECT_THROW(check_lazy(parse({"s", "--lazy", "on", "--traversal", "havran"}).options),
+               CLI::ValidationError);
+  EXPECT_THROW(check_lazy(parse({"s", "--lazy", "on", "--builder", "naive"}).options),
+               CLI::ValidationError);
+}
+
+TEST(TreeOptions, WhatCannotBeLazySaysWhy) {
+  CLI::App app;
+  TreeOptions options;
+  add_tree_options(app, options, "there are no rays");
+  EXPECT_NO_THROW(app.parse("--lazy off"));
+  try {
+    app.parse("--lazy on");
+    FAIL();
+  } catch (const CLI::ParseError& error) {
+    EXPECT_STREQ(error.what(), "--lazy: there are no rays");
+  }
 }
 
 TEST(TreeOptions, WrongValuesAreRefusedByTheNameOfTheOption) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/math/aabb.h"
+
+namespace bspview {
+
+/// The part of an object that lies in a node, by its box.
+struct ObjectPart {
+  Aabb box;
+  std::uint32_t object = 0;
+};
+
+/// A node's place in the tree.
+struct Place {
+  Aabb cell;
+  int depth = 0;
+};
+
+/// A leaf that a builder would split but has put off.
+struct DeferredLeaf {
+  std::uint32_t node = 0;  ///< of the tree
+  Place place;
+  std::vector<ObjectPart> parts;  ///< in ascending order of their objects
+};
+
+}  // namespace bspview

@@ -1,0 +1,75 @@
+#include "core/bsp/partial_tree.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/base/timer.h"
+#include "core/bsp/grow.h"
+
+namespace bspview {
+namespace {
+
+/// The largest nodes that are put off below one with `objects` objects; 0: none is.
+std::size_t deferred_size(std::size_t objects, std::size_t share) {
+  if (objects <= most_lone_objects) return 0;
+  return std::max(most_lone_objects, objects / share);
+}
+
+GrowTree* upper_rule(Builder builder) {
+  return rule_of(builder == Builder::sah ? Builder::sah_binned : builder);
+}
+
+PartialTree grow_partial(const BuildJob& job, const BuildParams& params, const PartsSource& parts) {
+  GrowTree* const rule =
+      job.deferred_size > 0 ? upper_rule(params.builder) : rule_of(params.builder);
+  GrownTree grown = grow_tree(rule, job, parts);
+  std::ranges::sort(grown.deferred, {}, &DeferredLeaf::node);
+  PartialTree partial{.tree = {.box = job.box,
+                               .nodes = std::move(grown.nodes),
+                               .references = std::move(grown.references),
+                               .object_count = job.input.boxes.size(),
+                               .params = params,
+                               .max_depth = job.max_depth,
+                               .memory_limit_reached = grown.memory_limit_reached},
+                      .deferred = std::move(grown.deferred)};
+  for (const DeferredLeaf& leaf : partial.deferred) partial.tree.unbuilt.push_back(leaf.node);
+  return partial;
+}
+
+}  // namespace
+
+Result<PartialTree> build_partial_tree(const BuildInput& input, const BuildParams& params,
+                                       std::stop_token stop) {
+  const Timer timer;
+  return with_build_errors(input, [&] {
+    PartialTree partial;
+    with_threads(params.threads, [&] {
+      BuildJob job = make_job(input, params, root_box(input, stop), stop);
+      job.deferred_size = deferred_size(input.boxes.size(), 16);
+      partial = grow_partial(job, params, [&] { return placeable_objects(job); });
+    });
+    partial.tree.build_seconds = timer.seconds();
+    return partial;
+  });
+}
+
+Result<PartialTree> build_deferred(const BuildInput& input, const Tree& whole,
+                                   const DeferredLeaf& leaf, std::size_t memory_limit) {
+  const Timer timer;
+  return with_build_errors(input, [&] {
+    BuildParams params = whole.params;
+    params.threads = 1;
+    params.memory_limit = memory_limit;
+    BuildJob job = make_job(input, params, whole.box, {});
+    job.box = leaf.place.cell;
+    job.depth = leaf.place.depth;
+    job.deferred_size = deferred_size(leaf.parts.size(), 16);
+    PartialTree partial;
+    with_threads(1, [&] { partial = grow_partial(job, whole.params, [&] { return leaf.parts; }); });
+    partial.tree.build_seconds = timer.seconds();
+    return partial;
+  });
+}
+
+}  // namespace bspview

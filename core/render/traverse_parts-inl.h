@@ -1,0 +1,69 @@
+// Traversal of an accelerator and of its parts, which are trees in its leaves. Included once for
+// every instruction set that Highway (hwy/foreach_target.h) compiles for.
+
+#if defined(BSPVIEW_TRAVERSE_PARTS) == defined(HWY_TARGET_TOGGLE)
+#ifdef BSPVIEW_TRAVERSE_PARTS
+#undef BSPVIEW_TRAVERSE_PARTS
+#else
+#define BSPVIEW_TRAVERSE_PARTS
+#endif
+
+#include "core/bsp/traverse_wide_packet-inl.h"
+#include "core/render/lazy_part.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace bspview::HWY_NAMESPACE {
+
+template <class Leaf>
+HWY_NOINLINE void traverse_part(const LazyPart& part, const WideRay& ray, const float& reach,
+                                Leaf& leaf);
+
+/// Visits the leaves along the ray, nearest first, as traverse_wide; leaf(accelerator, child) tests
+/// the objects of a leaf of that accelerator.
+template <class Leaf>
+HWY_INLINE void traverse_parts(const Accelerator& accelerator, const WideRay& ray,
+                               const float& reach, Leaf& leaf) {
+  traverse_wide(accelerator.tree(), ray, reach, [&](std::uint32_t child) {
+    if (const LazyPart* part = accelerator.part(child)) {
+      return traverse_part(*part, ray, reach, leaf);
+    }
+    leaf(accelerator, child);
+  });
+}
+
+template <class Leaf>
+HWY_NOINLINE void traverse_part(const LazyPart& part, const WideRay& ray, const float& reach,
+                                Leaf& leaf) {
+  const Accelerator& below = part.accelerator();
+  if (below.lone_leaf() != 0) return leaf(below, below.lone_leaf());
+  traverse_parts(below, ray, reach, leaf);
+}
+
+template <class Leaf>
+HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalk& walk, unsigned lanes,
+                                       Leaf& leaf);
+
+/// The same for several rays at once, as traverse_wide_packet; leaf(accelerator, child, lanes).
+template <class Leaf>
+HWY_INLINE void traverse_parts_packet(const Accelerator& accelerator, const PacketWalk& walk,
+                                      unsigned lanes, Leaf& leaf) {
+  traverse_wide_packet(accelerator.tree(), walk, lanes, [&](std::uint32_t child, unsigned some) {
+    if (const LazyPart* part = accelerator.part(child)) {
+      return traverse_part_packet(*part, walk, some, leaf);
+    }
+    leaf(accelerator, child, some);
+  });
+}
+
+template <class Leaf>
+HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalk& walk, unsigned lanes,
+                                       Leaf& leaf) {
+  const Accelerator& below = part.accelerator();
+  if (below.lone_leaf() != 0) return leaf(below, below.lone_leaf(), lanes);
+  traverse_parts_packet(below, walk, lanes, leaf);
+}
+
+}  // namespace bspview::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
