@@ -12,5 +12,6 @@ void add_spd(CLI::App& app, Run& run);
 void add_bench(CLI::App& app, Run& run);
 void add_stress(CLI::App& app, Run& run);
 void add_error(CLI::App& app, Run& run);
+void add_tune(CLI::App& app, Run& run);
 
 }  // namespace bspview

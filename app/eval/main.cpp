@@ -22,6 +22,7 @@ int run_program(int argc, char** argv) {
   add_bench(app, run);
   add_stress(app, run);
   add_error(app, run);
+  add_tune(app, run);
   if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
 
   const Result<void> result = run();

@@ -75,6 +75,7 @@ Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std:
                 .object_count = input.boxes.size(),
                 .params = params,
                 .max_depth = job.max_depth,
+                .cost_intersection = static_cast<float>(job.costs.intersection),
                 .naive = params.builder == Builder::naive,
                 .memory_limit_reached = grown.memory_limit_reached,
                 .build_seconds = timer.seconds()};

@@ -32,7 +32,11 @@ Aabb root_box(const BuildInput& input, const std::stop_token& stop) {
 
 BuildJob make_job(const BuildInput& input, const BuildParams& params, const Aabb& root,
                   std::stop_token stop) {
-  BuildJob job{.input = input, .box = root, .costs = cost_model(params), .stop = std::move(stop)};
+  BuildJob job{.input = input,
+               .box = root,
+               .costs = cost_model(params, input.cost_intersection),
+               .weighs_tests = input.test_cost && !params.cost_intersection,
+               .stop = std::move(stop)};
   job.max_depth = effective_depth(params, input.boxes.size());
   job.leaf_size = static_cast<std::size_t>(std::max(1, params.leaf_size));
   job.clip = effective_clip(params) && input.clip;

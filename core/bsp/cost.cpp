@@ -19,9 +19,9 @@ double half_area_in_double(const Vec3d& d) {
 
 }  // namespace
 
-CostModel cost_model(const BuildParams& params) {
+CostModel cost_model(const BuildParams& params, float cost_intersection) {
   return {.traversal = at_least_zero(params.cost_traversal),
-          .intersection = at_least_zero(params.cost_intersection),
+          .intersection = at_least_zero(params.cost_intersection.value_or(cost_intersection)),
           .empty_factor = 1.0 - std::min(1.0, at_least_zero(params.empty_bonus))};
 }
 

@@ -16,8 +16,9 @@ struct CostModel {
   double leaf(std::size_t objects) const { return intersection * static_cast<double>(objects); }
 };
 
-/// Nonsense (negative or not a number) counts as 0.
-CostModel cost_model(const BuildParams& params);
+/// With `cost_intersection` where the parameters have none. Nonsense (negative or not a number)
+/// counts as 0.
+CostModel cost_model(const BuildParams& params, float cost_intersection);
 
 /// Cost of splitting one cell on one axis, when both children become leaves.
 /// After MacDonald & Booth 1990, "Heuristics for ray tracing using space subdivision".

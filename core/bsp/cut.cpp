@@ -15,7 +15,9 @@ int least_leaf_size(const BuildParams& params) {
   return std::max(1, params.leaf_size);
 }
 
-bool same_costs(const CostModel& a, const CostModel& b) {
+bool same_costs(const BuildParams& first, const BuildParams& second) {
+  if (first.cost_intersection.has_value() != second.cost_intersection.has_value()) return false;
+  const CostModel a = cost_model(first, 0.0f), b = cost_model(second, 0.0f);
   return a.traversal == b.traversal && a.intersection == b.intersection &&
          a.empty_factor == b.empty_factor;
 }
@@ -116,7 +118,7 @@ bool costs_choose_planes(Builder builder) {
 
 bool same_planes(const BuildParams& a, const BuildParams& b) {
   return a.builder == b.builder && effective_clip(a) == effective_clip(b) &&
-         (!costs_choose_planes(a.builder) || same_costs(cost_model(a), cost_model(b)));
+         (!costs_choose_planes(a.builder) || same_costs(a, b));
 }
 
 bool is_part(const BuildParams& part, const BuildParams& whole, std::size_t objects) {

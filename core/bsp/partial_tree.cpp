@@ -31,6 +31,7 @@ PartialTree grow_partial(const BuildJob& job, const BuildParams& params, const P
                                .object_count = job.input.boxes.size(),
                                .params = params,
                                .max_depth = job.max_depth,
+                               .cost_intersection = static_cast<float>(job.costs.intersection),
                                .memory_limit_reached = grown.memory_limit_reached},
                       .deferred = std::move(grown.deferred)};
   for (const DeferredLeaf& leaf : partial.deferred) partial.tree.unbuilt.push_back(leaf.node);

@@ -60,7 +60,7 @@ class Walk {
 }  // namespace
 
 TreeStats tree_stats(const Tree& tree) {
-  const CostModel costs = cost_model(tree.params);
+  const CostModel costs = cost_model(tree.params, tree.cost_intersection);
   TreeStats stats;
   stats.volume = tree.box.empty() ? 0.0 : volume(tree.box);
   Walk(tree, [&](std::uint32_t index, const Aabb& cell, int depth) {

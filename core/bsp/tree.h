@@ -26,7 +26,7 @@ struct BuildParams {
   int leaf_size = 1;             ///< leaf when a node holds at most as many objects
   std::optional<bool> clip;      ///< nullopt: off for median, on for the others
   float cost_traversal = 1.0f;
-  float cost_intersection = 1.5f;
+  std::optional<float> cost_intersection;  ///< nullopt: what testing the objects costs
   float empty_bonus = 0.1f;      ///< share of the cost that a split with one empty side saves
   std::size_t memory_limit = std::size_t{1} << 30;  ///< bytes of nodes and references
   int threads = 0;               ///< 0: every core; never changes the tree
@@ -50,6 +50,7 @@ struct Tree {
   std::size_t object_count = 0;
   BuildParams params;                     ///< as asked for
   int max_depth = 0;                      ///< in force
+  float cost_intersection = 0.0f;         ///< in force; the mean over the objects
   bool naive = false;                     ///< one leaf that every ray visits, even beside the box
   bool memory_limit_reached = false;      ///< some nodes became leaves for that reason alone
   double build_seconds = 0.0;

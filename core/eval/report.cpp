@@ -11,6 +11,7 @@ TreeReport::TreeReport(const Tree& tree, Traversal how)
       bytes(tree.bytes()),
       stats(tree_stats(tree)) {
   params.max_depth = tree.max_depth;
+  params.cost_intersection = tree.cost_intersection;
   params.clip = effective_clip(tree.params);
   params.threads = thread_count(tree.params.threads);
   unbuilt_leaves = tree.unbuilt.size();

@@ -57,7 +57,7 @@ Json build_json(const Report& report) {
                   {"clip", params.clip.value_or(false)},
                   {"threads", params.threads},
                   {"cost_traversal", shortest(params.cost_traversal)},
-                  {"cost_intersection", shortest(params.cost_intersection)},
+                  {"cost_intersection", shortest(params.cost_intersection.value_or(0.0f))},
                   {"empty_bonus", shortest(params.empty_bonus)},
                   {"traversal", name_of(traversal)},
                   {"lazy", params.lazy},

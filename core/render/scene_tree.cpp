@@ -1,6 +1,7 @@
 #include "core/render/scene_tree.h"
 
 #include "core/base/timer.h"
+#include "core/render/test_cost.h"
 #include "core/shape/cone.h"
 #include "core/shape/polygon.h"
 #include "core/shape/sphere.h"
@@ -34,13 +35,15 @@ SceneBuildInput::SceneBuildInput(const Scene& scene) : scene_(scene), boxes_(obj
   for (std::uint32_t id = 0; id < boxes_.size(); ++id) {
     if (is_degenerate(scene, id)) boxes_[id] = Aabb{};
   }
+  cost_intersection_ = mean_test_cost(scene, boxes_);
 }
 
 BuildInput SceneBuildInput::input() const {
   return {.boxes = boxes_,
           .clip = [this](std::uint32_t id,
                          const Aabb& cell) { return clip_object(scene_, id, boxes_[id], cell); },
-          .convex = [this](std::uint32_t id) { return triangle_of(scene_, id); }};
+          .convex = [this](std::uint32_t id) { return triangle_of(scene_, id); },
+          .cost_intersection = cost_intersection_};
 }
 
 Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, std::stop_token stop) {

@@ -7,7 +7,8 @@
 
 namespace bspview {
 
-/// What a builder needs to know of `scene`: boxes, and clipping of polygons in double.
+/// What a builder needs to know of `scene`: boxes, clipping of polygons in double, and what tests
+/// cost.
 class SceneBuildInput {
  public:
   explicit SceneBuildInput(const Scene& scene);
@@ -16,6 +17,7 @@ class SceneBuildInput {
  private:
   const Scene& scene_;
   std::vector<Aabb> boxes_;
+  float cost_intersection_;
 };
 
 /// build_tree over all objects of `scene`.

@@ -75,15 +75,16 @@ void clip_row(const Ui& ui, BuildParams& params) {
     params.clip = index == 0 ? std::nullopt : std::optional(index == 1);
 }
 
-void cost_field(const Ui& ui, const Label& label, float& value) {
+bool cost_field(const Ui& ui, const Label& label, float& value) {
   const IdScope id(label.name);
-  ImGui::DragFloat("##cost", &value, 0.02f, 0.01f, 1000.0f, label.text,
-                   ImGuiSliderFlags_AlwaysClamp);
+  const bool is_changed = ImGui::DragFloat("##cost", &value, 0.02f, 0.01f, 1000.0f, label.text,
+                                           ImGuiSliderFlags_AlwaysClamp);
   ui.note(label.name);
   tooltip(ui, label.tooltip);
+  return is_changed;
 }
 
-void cost_rows(const Ui& ui, BuildParams& params) {
+void cost_rows(const Ui& ui, const Results& results, BuildParams& params) {
   const DisabledScope scope(disabled(!costs_choose_planes(params.builder)));
   begin_row(ui, {"build.costs", "Costs", "Of a node and of a test; only their ratio matters."});
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
@@ -92,8 +93,14 @@ void cost_rows(const Ui& ui, BuildParams& params) {
              params.cost_traversal);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(half);
-  cost_field(ui, {"build.cost_intersection", "test %.2f", "C_I: of testing an object."},
-             params.cost_intersection);
+  float test =
+      params.cost_intersection.value_or(results.tree ? results.tree->tree.cost_intersection : 1.0f);
+  if (cost_field(ui,
+                 {"build.cost_intersection", "test %.2f",
+                  "C_I: of testing an object. Until it is set, what was measured for the kinds of "
+                  "objects in the scene."},
+                 test))
+    params.cost_intersection = test;
   slider_row(ui,
              {"build.empty_bonus", "Empty bonus",
               "Share of the cost that a split with one empty side is spared."},
@@ -148,7 +155,7 @@ void build_panel(const Ui& ui, const Results& results, State& state) {
                 "A node with at most as many objects becomes a leaf. Keys { and }"},
                params.leaf_size, {1, largest_leaf_size, "%d", true});
     clip_row(ui, params);
-    cost_rows(ui, params);
+    cost_rows(ui, results, params);
     memory_row(ui, params);
   }
   traversal_row(ui, state.picture);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 
 #include "core/base/run_time.h"
@@ -76,7 +77,7 @@ class SceneRun {
     for (KindTimes& kind : times_.kinds) compare(kind, watch);
     watch.advance(0.5 * preparing_share);
     for (int repeat = 0; repeat < params_.repeats; ++repeat) {
-      for (KindTimes& kind : times_.kinds) time(kind, watch);
+      for (KindTimes& kind : times_.kinds) time(kind, repeat, watch);
       watch.advance((1.0 - preparing_share) / params_.repeats);
     }
     if (watch.stopped()) return Error{"stopped"};
@@ -84,21 +85,20 @@ class SceneRun {
   }
 
  private:
-  bool tests_everything(const Peer& peer) const { return peer.builder == Builder::naive; }
   bool takes_part(const Peer& peer) const {
-    return !tests_everything(peer) || scene_.objects.size() <= most_naive_objects;
+    return !is_naive(peer) || scene_.objects.size() <= most_naive_objects;
   }
 
   Result<void> prepare(const Watch& watch) {
     for (const Peer& peer : peers_) {
       tracers_.emplace_back();
       if (!takes_part(peer)) continue;
-      const auto tree = tree_of(peer.builder.value_or(params_.build.builder), watch.stop);
+      const auto tree = tree_of(peer, watch.stop);
       if (!tree) return tree.error();
       tracers_.back() = peer.enter({scene_, **tree})();
     }
     watch.advance(0.4 * preparing_share);
-    const World world{scene_, trees_.at(peers_.front().builder.value_or(params_.build.builder))};
+    const World world{scene_, trees_.front()};
     for (const BenchKind kind : params_.kinds) {
       batches_[kind] = record_bench_rays(world, kind, params_.rays, params_.seed).rays;
       if (!batches_[kind].empty()) times_.kinds.push_back({kind, batches_[kind].size(), {}});
@@ -107,21 +107,20 @@ class SceneRun {
     return {};
   }
 
-  Result<const Tree*> tree_of(Builder builder, std::stop_token stop) {
-    if (!trees_.contains(builder)) {
-      BuildParams build = params_.build;
-      build.builder = builder;
-      Result<Tree> tree = build_scene_tree(scene_, build, stop);
-      if (!tree) return tree.error();
-      trees_.emplace(builder, *std::move(tree));
+  Result<const Tree*> tree_of(const Peer& peer, std::stop_token stop) {
+    const BuildParams build = peer.build.value_or(params_.build);
+    for (const Tree& tree : trees_) {
+      if (tree.params == build) return &tree;
     }
-    return &trees_.at(builder);
+    Result<Tree> tree = build_scene_tree(scene_, build, stop);
+    if (!tree) return tree.error();
+    return &trees_.emplace_back(*std::move(tree));
   }
 
   std::vector<Chunk> chunks_for(const Peer& peer, BenchKind kind) const {
     const std::size_t tests = scene_.objects.size() * rays_a_chunk;
     const std::size_t count =
-        tests_everything(peer) ? naive_tests / std::max<std::size_t>(1, tests) : no_index;
+        is_naive(peer) ? naive_tests / std::max<std::size_t>(1, tests) : no_index;
     return take_chunks(batches_.at(kind), count);
   }
 
@@ -154,8 +153,10 @@ class SceneRun {
     }
   }
 
-  void time(KindTimes& kind, const Watch& watch) {
-    for (std::size_t i = 0; i < peers_.size(); ++i) {
+  /// Each repeat begins with another peer: the first one finds the caches worse.
+  void time(KindTimes& kind, int repeat, const Watch& watch) {
+    for (std::size_t turn = 0; turn < peers_.size(); ++turn) {
+      const std::size_t i = (turn + static_cast<std::size_t>(repeat)) % peers_.size();
       if (!tracers_[i] || watch.stopped()) continue;
       PeerTimes& times = kind.peers[i];
       const double seconds =
@@ -168,7 +169,7 @@ class SceneRun {
   const std::span<const Peer> peers_;
   const BenchParams& params_;
   double diagonal_ = 0.0;
-  std::map<Builder, Tree> trees_;
+  std::deque<Tree> trees_;                        // of the first peer, then others
   std::vector<std::unique_ptr<Tracer>> tracers_;  // by peer; null: takes no part
   std::map<BenchKind, std::vector<Ray>> batches_;
   SceneTimes times_;

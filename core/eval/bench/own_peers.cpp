@@ -69,7 +69,7 @@ Peer peer_of(Kernel kernel, Peer::Answers answers, Peer::Width width) {
 
 std::vector<Peer> own_peers() {
   Peer naive = scalar("naive", "the default's tests on every object", {});
-  naive.builder = Builder::naive;
+  naive.build = BuildParams{.builder = Builder::naive};
   return {
       peer_of(make_fast_kernel(), Peer::Answers::robust, Peer::Width::one),
       peer_of(make_packet_kernel(), Peer::Answers::robust, Peer::Width::many),

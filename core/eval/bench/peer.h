@@ -40,10 +40,15 @@ struct Peer {
   Answers answers = Answers::robust;
   Width width = Width::one;
   bool foreign = false;
-  std::optional<Builder> builder;  ///< of its tree; nothing: the one that was asked for
+  std::optional<BuildParams> build;  ///< of its tree; nothing: what was asked for
   /// Builds all it needs of the scene besides the tree.
   std::function<MakeTracer(const World&)> enter;
 };
+
+/// Whether it has no tree.
+inline bool is_naive(const Peer& peer) {
+  return peer.build && peer.build->builder == Builder::naive;
+}
 
 /// A kernel of ours as a peer.
 Peer peer_of(Kernel kernel, Peer::Answers answers, Peer::Width width);

@@ -22,9 +22,8 @@ std::vector<Peer> scale_peers() {
   std::vector<Peer> peers = own_peers();
   for (Peer& peer : embree_peers()) peers.push_back(std::move(peer));
   std::erase_if(peers, [](const Peer& peer) {
-    const bool is_slow = peer.builder == Builder::naive;
     const bool is_alike = peer.foreign && peer.width == Peer::Width::many;
-    return is_slow || is_alike || peer.answers != Peer::Answers::robust;
+    return is_naive(peer) || is_alike || peer.answers != Peer::Answers::robust;
   });
   return peers;
 }

@@ -46,10 +46,15 @@ TEST(CrossingProbability, IsTheRatioOfAreasOrLengths) {
 TEST(CostModel, TakesNonsenseAsZero) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const CostModel costs =
-      cost_model({.cost_traversal = -1.0f, .cost_intersection = nan, .empty_bonus = 7.0f});
+      cost_model({.cost_traversal = -1.0f, .cost_intersection = nan, .empty_bonus = 7.0f}, 2.0f);
   EXPECT_EQ(costs.traversal, 0.0);
   EXPECT_EQ(costs.intersection, 0.0);
   EXPECT_EQ(costs.empty_factor, 0.0);
+}
+
+TEST(CostModel, TestsCostWhatTheParametersSayOrElseWhatTheObjectsDo) {
+  EXPECT_EQ(cost_model({}, 2.5f).intersection, 2.5);
+  EXPECT_EQ(cost_model({.cost_intersection = 4.0f}, 2.5f).intersection, 4.0);
 }
 
 }  // namespace

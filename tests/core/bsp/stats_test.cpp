@@ -21,7 +21,7 @@ Tree small_tree() {
   tree.references = {0, 1, 1};
   tree.object_count = 2;
   tree.params.cost_traversal = 1.0f;
-  tree.params.cost_intersection = 10.0f;
+  tree.cost_intersection = 10.0f;
   return tree;
 }
 

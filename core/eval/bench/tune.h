@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/machine.h"
+#include "core/eval/bench/trees.h"
+#include "core/render/test_cost.h"
+
+namespace bspview {
+
+struct TuneParams {
+  BenchParams bench;  ///< its build: what trials differ from, the costs but for C_I included
+  std::vector<float> costs{0.25f, 0.35f, 0.5f, 0.7f, 1.0f, 1.4f, 2.0f, 2.8f};  ///< C_I, ascending
+  std::vector<int> depths{-6, -3, 3, 6};  ///< more than the automatic depth
+  std::vector<int> leaf_sizes{2, 4, 8};
+};
+
+/// One tree of a sweep.
+struct Trial {
+  enum class What { as_given, cost, depth, leaf_size } what = What::as_given;
+  BuildParams build;
+};
+
+/// A sweep over trees of one scene.
+struct TunedScene {
+  std::array<double, object_kind_count> shares{};  ///< surface_shares
+  std::vector<Trial> trials;                       ///< the first is what was given
+  TreeComparison trees;                            ///< by trial
+};
+
+struct TuneReport {
+  TuneParams params;
+  std::vector<TunedScene> scenes;
+  Machine machine = this_machine();
+};
+
+/// Sends recorded rays through trees with other costs, depths and leaf sizes. watch.progress adds
+/// up to 1. Fails as compare_trees does.
+Result<TuneReport> run_tune(std::span<const Scene> scenes, const TuneParams& params,
+                            const Watch& watch = {});
+
+/// Time through what was given over that through the tree of a trial: above 1 where that is better.
+Measured gain(const TunedScene& scene, std::size_t trial);
+
+/// The trial with the largest gain; the first where none is better.
+std::size_t best_trial(const TunedScene& scene);
+
+/// The C_I that suits a kind of object: the least that is within 1 % of the best, since higher ones
+/// take longer to build; by the mean over the scenes of the logarithm of time, each scene by the
+/// share of its surface that is of this kind. Nothing where no scene has any.
+std::optional<double> fitted_cost(const TuneReport& report, ObjectKind kind);
+
+std::string to_text(const TuneReport& report);
+std::string to_json(const TuneReport& report);
+
+}  // namespace bspview
