@@ -2,6 +2,7 @@
 
 #include "app/eval/commands.h"
 #include "app/eval/progress.h"
+#include "app/options/values.h"
 #include "core/eval/bench/tune.h"
 
 namespace bspview {
@@ -60,9 +61,11 @@ void add_tune(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 100000).description(""))
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--costs", options->params.costs, "C_I of the sweep, two or more, ascending")
+  command
+      ->add_option("--costs", options->params.costs,
+                   "What the C_I of each kind of object is tried with")
       ->delimiter(',')
-      ->check(CLI::Range(1e-6, 1e6).description(""))
+      ->check(finite_number(1e-6, 1e6))
       ->type_name("F[,F]");
   add_json(*command, options->json);
   command->callback([options, &run] { run = [options] { return run_tune_command(*options); }; });

@@ -24,9 +24,10 @@ inline constexpr std::size_t clip_steps = std::size_t{1} << 9;
 /// What stays the same through one build.
 struct BuildJob {
   const BuildInput& input;
-  Aabb box = {};  ///< of the root
-  CostModel costs;
-  int depth = 0;  ///< of the root; not 0 where it is a node of another tree
+  Aabb box = {};              ///< of the root
+  CostModel costs;            ///< C_I: the mean over the objects
+  bool weighs_tests = false;  ///< objects differ in what testing them costs
+  int depth = 0;              ///< of the root; not 0 where it is a node of another tree
   int max_depth = 0;
   std::size_t leaf_size = 1;
   bool clip = false;
@@ -38,6 +39,13 @@ struct BuildJob {
   MemoryMeter* meter = nullptr;   ///< null: memory is not limited
   InnerObjects* inner = nullptr;  ///< null: what inner nodes hold is not kept
   std::stop_token stop = {};
+
+  /// What testing an object costs, in units of C_I. Only near the leaves, where it decides whether
+  /// a split pays, does it count.
+  float tests_of(std::uint32_t object) const {
+    if (!weighs_tests) return 1.0f;
+    return static_cast<float>(input.test_cost(object) / costs.intersection);
+  }
 
   void poll() const {
     if (stop.stop_requested()) throw BuildStopped{};

@@ -8,6 +8,12 @@ void FewParts::append_objects(std::vector<std::uint32_t>& objects) const {
   objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
 }
 
+double FewParts::tests() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) sum += boxes_[i].tests();
+  return sum;
+}
+
 std::optional<Split> FewParts::find_split(const Place& place) const {
   Split split = cheapest_of_few(*job_, std::span(boxes_).first(count_), place.cell);
   if (!std::isfinite(split.cost)) return {};
@@ -22,7 +28,7 @@ std::optional<Split> FewParts::find_split(const Place& place) const {
 void FewParts::cut(const Part& part, const CellSplit& split, Outline* outlines,
                    const Sides& to) const {
   const auto add = [&](FewParts& side, const Aabb& box, const Outline* outline) {
-    if (!box.empty()) side.keep({few_box(box), part.object, outline});
+    if (!box.empty()) side.keep({few_box(box, part.box.tests()), part.object, outline});
   };
   Outline whole;
   const bool has_outline = part.outline || find_outline(*job_, part.object, split.cell, whole);

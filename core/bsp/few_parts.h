@@ -18,9 +18,13 @@ class FewParts {
 
   /// None yet.
   FewParts(const BuildJob& job, ScratchStack& scratch) : FewParts(job, 0, scratch) {}
-  void push(const Aabb& box, std::uint32_t object) { keep({few_box(box), object, nullptr}); }
+  void push(const Aabb& box, std::uint32_t object) {
+    keep({few_box(box, job_->tests_of(object)), object, nullptr});
+  }
 
   std::size_t count() const { return count_; }
+  /// What testing them all costs, in units of the job's C_I.
+  double tests() const;
   void append_objects(std::vector<std::uint32_t>& objects) const;
   std::optional<Split> find_split(const Place& place) const;
   FewParts split(const CellSplit& split, ScratchStack& scratch);

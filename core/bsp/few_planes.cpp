@@ -18,12 +18,10 @@ using Floats = hn::CappedTag<float, 2 * axis_lanes>;
 using Ints = hn::RebindToSigned<Floats>;
 using DoubleV = hn::Vec<Doubles>;
 using FloatV = hn::Vec<Floats>;
-using IntV = hn::Vec<Ints>;
 constexpr Doubles doubles;
 constexpr Floats floats;
 constexpr Ints ints;
 constexpr hn::Rebind<float, Doubles> narrow;
-constexpr hn::Rebind<std::int32_t, Doubles> narrow_ints;
 
 /// Of the planes across each axis.
 struct alignas(32) AxisCosts {
@@ -31,13 +29,13 @@ struct alignas(32) AxisCosts {
   float first[axis_lanes], last[axis_lanes];
 };
 
-/// The planes to try, and how many boxes touch each side of them.
+/// The planes to try, and what testing the boxes that touch each side of them costs.
 struct alignas(32) Planes {
   static constexpr std::size_t most = (2 * most_few_parts + 2) * axis_lanes;
 
   double cost[most];
   float position[most];
-  std::int32_t left[most], right[most];
+  float left[most], right[most];
 };
 
 /// As SplitCost and PlaneRange; the fourth lane has no room for planes.
@@ -86,17 +84,18 @@ HWY_INLINE void place_planes(std::span<const FewBox> boxes, const AxisCosts& cos
   }
 }
 
-HWY_INLINE void count_sides(std::span<const FewBox> boxes, Planes& planes, std::size_t count) {
+HWY_INLINE void add_up_sides(std::span<const FewBox> boxes, Planes& planes, std::size_t count) {
   for (std::size_t plane = 0; plane < count; plane += hn::Lanes(floats)) {
     const FloatV position = hn::Load(floats, planes.position + plane);
-    IntV left = hn::Zero(ints), right = hn::Zero(ints);
+    FloatV left = hn::Zero(floats), right = hn::Zero(floats);
     for (const FewBox& box : boxes) {
       const FloatV lo = hn::LoadDup128(floats, box.lo), hi = hn::LoadDup128(floats, box.hi);
-      left = hn::Sub(left, hn::VecFromMask(ints, hn::RebindMask(ints, hn::Le(lo, position))));
-      right = hn::Sub(right, hn::VecFromMask(ints, hn::RebindMask(ints, hn::Ge(hi, position))));
+      const FloatV tests = hn::Set(floats, box.tests());
+      left = hn::Add(left, hn::IfThenElseZero(hn::Le(lo, position), tests));
+      right = hn::Add(right, hn::IfThenElseZero(hn::Ge(hi, position), tests));
     }
-    hn::Store(left, ints, planes.left + plane);
-    hn::Store(right, ints, planes.right + plane);
+    hn::Store(left, floats, planes.left + plane);
+    hn::Store(right, floats, planes.right + plane);
   }
 }
 
@@ -126,8 +125,8 @@ HWY_INLINE DoubleV find_costs(const CostModel& model, const AxisCosts& costs,
   DoubleV least = infinity;
   for (std::size_t plane = lane; plane < count; plane += axis_lanes) {
     const DoubleV position = hn::PromoteTo(doubles, hn::Load(narrow, planes.position + plane));
-    const DoubleV left = hn::PromoteTo(doubles, hn::Load(narrow_ints, planes.left + plane));
-    const DoubleV right = hn::PromoteTo(doubles, hn::Load(narrow_ints, planes.right + plane));
+    const DoubleV left = hn::PromoteTo(doubles, hn::Load(narrow, planes.left + plane));
+    const DoubleV right = hn::PromoteTo(doubles, hn::Load(narrow, planes.right + plane));
     const DoubleV before = hn::Add(caps, hn::Mul(rim, hn::Sub(position, lo)));
     const DoubleV behind = hn::Add(caps, hn::Mul(rim, hn::Sub(hi, position)));
     const DoubleV tests = hn::Add(hn::Mul(left, before), hn::Mul(right, behind));
@@ -160,7 +159,7 @@ Split cheapest_plane(const BuildJob& job, std::span<const FewBox> boxes, const A
   const std::size_t count = (2 * boxes.size() + 2) * axis_lanes;
   Planes planes;
   place_planes(boxes, costs, planes.position);
-  count_sides(boxes, planes, count);
+  add_up_sides(boxes, planes, count);
   AxisBests bests;
   for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
     const AxisPlanes some{planes, lane, count};

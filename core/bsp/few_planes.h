@@ -8,13 +8,16 @@ namespace bspview {
 
 inline constexpr std::size_t most_few_parts = 32;
 
-/// A box whose axes are the lanes of a vector.
+/// A box whose axes are the lanes of a vector, and behind them what testing its object costs in
+/// units of the job's C_I.
 struct alignas(32) FewBox {
-  float lo[4], hi[4];  ///< the last ones are 1
+  float lo[4], hi[4];
+
+  float tests() const { return lo[3]; }
 };
 
-inline FewBox few_box(const Aabb& box) {
-  return {{box.lo.x, box.lo.y, box.lo.z, 1.0f}, {box.hi.x, box.hi.y, box.hi.z, 1.0f}};
+inline FewBox few_box(const Aabb& box, float tests) {
+  return {{box.lo.x, box.lo.y, box.lo.z, tests}, {box.hi.x, box.hi.y, box.hi.z, tests}};
 }
 
 /// The plane that the sweep over the events of at most most_few_parts boxes finds: the cheapest of

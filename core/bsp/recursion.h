@@ -17,6 +17,7 @@ namespace bspview {
 ///     std::optional<Split> find_split(const Place&) const;
 ///     Objects split(const CellSplit&, ScratchStack&);            keeps the larger side
 ///     void release();                                            the objects are needed no more
+///     double tests() const;                                      optional: their cost, in C_I
 ///     FewParts few_parts(ScratchStack&) const;                   optional: of at most
 ///     FewParts::most
 ///     std::span<const ObjectPart> parts() const;                 optional: nodes can be put off
@@ -79,8 +80,16 @@ class Recursion {
     if (!split) return {};
     // To go on after a failed split, in the hope of better ones below, measures worse: it more than
     // doubles the tree, and even where what did not pay is taken back it saves 1 % of the cost.
-    if (split->cost > job_.costs.leaf(objects.count())) return {};
+    if (split->cost > leaf_cost(objects)) return {};
     return split;
+  }
+
+  double leaf_cost(const Objects& objects) const {
+    if constexpr (requires { objects.tests(); }) {
+      return job_.costs.intersection * objects.tests();
+    } else {
+      return job_.costs.leaf(objects.count());
+    }
   }
 
   bool is_put_off(std::size_t objects, const Place& place) const {

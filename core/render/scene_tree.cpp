@@ -1,7 +1,6 @@
 #include "core/render/scene_tree.h"
 
 #include "core/base/timer.h"
-#include "core/render/test_cost.h"
 #include "core/shape/cone.h"
 #include "core/shape/polygon.h"
 #include "core/shape/sphere.h"
@@ -31,11 +30,14 @@ std::span<const Vec3> triangle_of(const Scene& scene, std::uint32_t id) {
 
 }  // namespace
 
-SceneBuildInput::SceneBuildInput(const Scene& scene) : scene_(scene), boxes_(object_bounds(scene)) {
+SceneBuildInput::SceneBuildInput(const Scene& scene, const TestCosts& test_costs)
+    : scene_(scene),
+      test_costs_(test_costs),
+      mean_test_cost_(mean_test_cost(test_costs, scene)),
+      boxes_(object_bounds(scene)) {
   for (std::uint32_t id = 0; id < boxes_.size(); ++id) {
     if (is_degenerate(scene, id)) boxes_[id] = Aabb{};
   }
-  cost_intersection_ = mean_test_cost(scene, boxes_);
 }
 
 BuildInput SceneBuildInput::input() const {
@@ -43,12 +45,15 @@ BuildInput SceneBuildInput::input() const {
           .clip = [this](std::uint32_t id,
                          const Aabb& cell) { return clip_object(scene_, id, boxes_[id], cell); },
           .convex = [this](std::uint32_t id) { return triangle_of(scene_, id); },
-          .cost_intersection = cost_intersection_};
+          .cost_intersection = mean_test_cost_,
+          .test_cost =
+              [this](std::uint32_t id) { return test_cost(test_costs_, scene_.objects[id].kind); }};
 }
 
-Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, std::stop_token stop) {
+Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, std::stop_token stop,
+                              const TestCosts& test_costs) {
   const Timer timer;
-  Result<Tree> tree = build_tree(SceneBuildInput(scene).input(), params, stop);
+  Result<Tree> tree = build_tree(SceneBuildInput(scene, test_costs).input(), params, stop);
   if (tree) tree->build_seconds = timer.seconds();  // the objects' boxes are part of it
   return tree;
 }

@@ -3,6 +3,7 @@
 #include <stop_token>
 
 #include "core/bsp/build.h"
+#include "core/render/test_cost.h"
 #include "core/scene/scene.h"
 
 namespace bspview {
@@ -11,17 +12,19 @@ namespace bspview {
 /// cost.
 class SceneBuildInput {
  public:
-  explicit SceneBuildInput(const Scene& scene);
+  explicit SceneBuildInput(const Scene& scene, const TestCosts& test_costs = default_test_costs);
   BuildInput input() const;
 
  private:
   const Scene& scene_;
+  const TestCosts test_costs_;
+  const float mean_test_cost_;
   std::vector<Aabb> boxes_;
-  float cost_intersection_;
 };
 
 /// build_tree over all objects of `scene`.
 Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params,
-                              std::stop_token stop = {});
+                              std::stop_token stop = {},
+                              const TestCosts& test_costs = default_test_costs);
 
 }  // namespace bspview

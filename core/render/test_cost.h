@@ -1,24 +1,23 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "core/scene/scene.h"
 
 namespace bspview {
 
-inline constexpr std::size_t object_kind_count = 4;
+/// C_I, the cost of testing an object, by ObjectKind.
+using TestCosts = std::array<float, 4>;
 
-/// Costs of testing an object, C_I, by ObjectKind: where C_T is 1, trees that are built with them
-/// are the fastest for rays to go through. As `bspeval tune` fits them.
-inline constexpr std::array<double, object_kind_count> test_costs{1.5, 1.5, 1.5, 1.5};
+/// Where C_T is 1, trees that are built with these are the fastest for rays to go through, as
+/// `bspeval tune` fits them. Triangles are tested eight at a time.
+inline constexpr TestCosts default_test_costs{0.15f, 8.0f, 0.7f, 2.0f};
 
-/// By ObjectKind, its share of the surface of the objects' boxes: of the tests of rays that go
-/// anywhere. They add up to 1. `boxes`: one an object; empty ones do not count.
-std::array<double, object_kind_count> surface_shares(const Scene& scene,
-                                                     std::span<const Aabb> boxes);
+inline float test_cost(const TestCosts& costs, ObjectKind kind) {
+  return costs[static_cast<std::size_t>(kind)];
+}
 
-/// The mean of the costs of testing the objects of a scene.
-float mean_test_cost(const Scene& scene, std::span<const Aabb> boxes);
+/// The mean over the objects of a scene, by their numbers.
+float mean_test_cost(const TestCosts& costs, const Scene& scene);
 
 }  // namespace bspview

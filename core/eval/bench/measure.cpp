@@ -98,7 +98,7 @@ class SceneRun {
       tracers_.back() = peer.enter({scene_, **tree})();
     }
     watch.advance(0.4 * preparing_share);
-    const World world{scene_, trees_.front()};
+    const World world{scene_, trees_.front().second};
     for (const BenchKind kind : params_.kinds) {
       batches_[kind] = record_bench_rays(world, kind, params_.rays, params_.seed).rays;
       if (!batches_[kind].empty()) times_.kinds.push_back({kind, batches_[kind].size(), {}});
@@ -109,12 +109,12 @@ class SceneRun {
 
   Result<const Tree*> tree_of(const Peer& peer, std::stop_token stop) {
     const BuildParams build = peer.build.value_or(params_.build);
-    for (const Tree& tree : trees_) {
-      if (tree.params == build) return &tree;
+    for (const auto& [costs, tree] : trees_) {
+      if (costs == peer.test_costs && tree.params == build) return &tree;
     }
-    Result<Tree> tree = build_scene_tree(scene_, build, stop);
+    Result<Tree> tree = build_scene_tree(scene_, build, stop, peer.test_costs);
     if (!tree) return tree.error();
-    return &trees_.emplace_back(*std::move(tree));
+    return &trees_.emplace_back(peer.test_costs, *std::move(tree)).second;
   }
 
   std::vector<Chunk> chunks_for(const Peer& peer, BenchKind kind) const {
@@ -169,7 +169,7 @@ class SceneRun {
   const std::span<const Peer> peers_;
   const BenchParams& params_;
   double diagonal_ = 0.0;
-  std::deque<Tree> trees_;                        // of the first peer, then others
+  std::deque<std::pair<TestCosts, Tree>> trees_;  // of the first peer, then others
   std::vector<std::unique_ptr<Tracer>> tracers_;  // by peer; null: takes no part
   std::map<BenchKind, std::vector<Ray>> batches_;
   SceneTimes times_;

@@ -9,6 +9,7 @@
 
 #include "core/eval/bench/rays.h"
 #include "core/eval/kernel.h"
+#include "core/render/test_cost.h"
 
 namespace bspview {
 
@@ -40,7 +41,8 @@ struct Peer {
   Answers answers = Answers::robust;
   Width width = Width::one;
   bool foreign = false;
-  std::optional<BuildParams> build;  ///< of its tree; nothing: what was asked for
+  std::optional<BuildParams> build;           ///< of its tree; nothing: what was asked for
+  TestCosts test_costs = default_test_costs;  ///< of its tree
   /// Builds all it needs of the scene besides the tree.
   std::function<MakeTracer(const World&)> enter;
 };

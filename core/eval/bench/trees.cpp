@@ -84,12 +84,13 @@ TreeFacts facts_of(const World& world, std::span<const BenchBatch> batches) {
 /// The trees of one scene as peers of the benchmark of speed, each of which leaves its facts.
 class TreePeers {
  public:
-  TreePeers(std::span<const BuildParams> builds, const BenchParams& params)
-      : params_(params), facts_(builds.size()) {
-    for (std::size_t i = 0; i < builds.size(); ++i) {
+  TreePeers(std::span<const TreeRecipe> recipes, const BenchParams& params)
+      : params_(params), facts_(recipes.size()) {
+    for (std::size_t i = 0; i < recipes.size(); ++i) {
       Peer& peer = peers_.emplace_back();
       peer.name = fmt::format("tree {}", i);
-      peer.build = builds[i];
+      peer.build = recipes[i].build;
+      peer.test_costs = recipes[i].test_costs;
       peer.enter = [this, i](const World& world) { return enter(world, i); };
     }
   }
@@ -116,9 +117,9 @@ class TreePeers {
 
 }  // namespace
 
-Result<TreeComparison> compare_trees(const Scene& scene, std::span<const BuildParams> builds,
+Result<TreeComparison> compare_trees(const Scene& scene, std::span<const TreeRecipe> recipes,
                                      const BenchParams& params, const Watch& watch) {
-  TreePeers trees(builds, params);
+  TreePeers trees(recipes, params);
   Result<SceneTimes> times = measure_scene(scene, trees.peers(), params, watch);
   if (!times) return times.error();
   if (times->kinds.empty()) return Error{scene.name + ": its view has no such rays"};

@@ -16,6 +16,13 @@ struct TreeFacts {
   double tests_a_hit = 0.0;        ///< N_RPRT; 0 where nothing is hit
 };
 
+/// How a tree is built.
+struct TreeRecipe {
+  BuildParams build;
+  TestCosts test_costs = default_test_costs;
+  bool operator==(const TreeRecipe&) const = default;
+};
+
 /// Trees of one scene, built differently.
 struct TreeComparison {
   SceneTimes times;  ///< its peers are the trees
@@ -26,7 +33,7 @@ struct TreeComparison {
 /// together, others alone (measure_scene). The first tree is the one that others are held against;
 /// its parameters are not needed in `params`. Fails as measure_scene does, and where the hits of
 /// two trees differ.
-Result<TreeComparison> compare_trees(const Scene& scene, std::span<const BuildParams> builds,
+Result<TreeComparison> compare_trees(const Scene& scene, std::span<const TreeRecipe> recipes,
                                      const BenchParams& params, const Watch& watch = {});
 
 /// Time through one tree over that through another: by repeat the geometric mean over the kinds of

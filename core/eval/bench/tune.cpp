@@ -2,22 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace bspview {
 namespace {
 
-std::vector<Trial> trials_of(const Scene& scene, const TuneParams& params) {
-  const BuildParams& given = params.bench.build;
-  std::vector<Trial> trials{{Trial::What::as_given, given}};
-  const auto add = [&](Trial::What what) -> BuildParams& {
-    return trials.emplace_back(Trial{what, given}).build;
-  };
-  for (const float cost : params.costs) add(Trial::What::cost).cost_intersection = cost;
-  const int depth = effective_depth(given, scene.objects.size());
-  for (const int more : params.depths) {
-    add(Trial::What::depth).max_depth = std::clamp(depth + more, 1, depth_cap);
+std::vector<ObjectKind> kinds_in(const Scene& scene) {
+  std::vector<ObjectKind> kinds;
+  for (std::size_t i = 0; i < TestCosts{}.size(); ++i) {
+    const auto kind = static_cast<ObjectKind>(i);
+    if (std::ranges::find(scene.objects, kind, &Object::kind) != scene.objects.end()) {
+      kinds.push_back(kind);
+    }
   }
-  for (const int size : params.leaf_sizes) add(Trial::What::leaf_size).leaf_size = size;
+  return kinds;
+}
+
+std::vector<Trial> trials_of(const Scene& scene, const TuneParams& params) {
+  const TreeRecipe given{.build = params.bench.build};
+  std::vector<Trial> trials{{Trial::What::as_given, given}};
+  for (const ObjectKind kind : kinds_in(scene)) {
+    for (const float cost : params.costs) {
+      Trial& trial = trials.emplace_back(Trial{Trial::What::cost, given, kind});
+      trial.recipe.test_costs[static_cast<std::size_t>(kind)] = cost;
+    }
+  }
+  const int depth = effective_depth(given.build, scene.objects.size());
+  for (const int more : params.depths) {
+    Trial& trial = trials.emplace_back(Trial{Trial::What::depth, given});
+    trial.recipe.build.max_depth = std::clamp(depth + more, 1, depth_cap);
+  }
+  for (const int size : params.leaf_sizes) {
+    trials.emplace_back(Trial{Trial::What::leaf_size, given}).recipe.build.leaf_size = size;
+  }
   return trials;
 }
 
@@ -30,12 +48,11 @@ Result<TuneReport> run_tune(std::span<const Scene> scenes, const TuneParams& par
   part.progress = [&](double more) { watch.advance(more / static_cast<double>(scenes.size())); };
   for (const Scene& scene : scenes) {
     const std::vector<Trial> trials = trials_of(scene, params);
-    std::vector<BuildParams> builds;
-    for (const Trial& trial : trials) builds.push_back(trial.build);
-    auto trees = compare_trees(scene, builds, params.bench, part);
+    std::vector<TreeRecipe> recipes;
+    for (const Trial& trial : trials) recipes.push_back(trial.recipe);
+    auto trees = compare_trees(scene, recipes, params.bench, part);
     if (!trees) return trees.error();
-    report.scenes.push_back(
-        {surface_shares(scene, object_bounds(scene)), trials, *std::move(trees)});
+    report.scenes.push_back({trials, *std::move(trees)});
   }
   return report;
 }
@@ -52,24 +69,25 @@ std::size_t best_trial(const TunedScene& scene) {
   return best;
 }
 
-std::optional<double> fitted_cost(const TuneReport& report, ObjectKind kind) {
+std::optional<float> fitted_cost(const TuneReport& report, ObjectKind kind) {
   constexpr double as_good = 0.01;
-  const std::vector<float>& costs = report.params.costs;
-  std::vector<double> log_time(costs.size(), 0.0);
-  double weights = 0.0;
+  std::map<float, double> log_gain;  // of a cost, added up over the scenes
+  double scenes = 0.0;
   for (const TunedScene& scene : report.scenes) {
-    const double weight = scene.shares[static_cast<std::size_t>(kind)];
-    weights += weight;
-    auto time = log_time.begin();
+    bool is_there = false;
     for (std::size_t i = 0; i < scene.trials.size(); ++i) {
-      if (scene.trials[i].what != Trial::What::cost) continue;
-      *time++ -= weight * std::log(gain(scene, i).median);
+      const Trial& trial = scene.trials[i];
+      if (trial.what != Trial::What::cost || trial.kind != kind) continue;
+      log_gain[test_cost(trial.recipe.test_costs, kind)] += std::log(gain(scene, i).median);
+      is_there = true;
     }
+    scenes += is_there ? 1.0 : 0.0;
   }
-  if (weights == 0.0) return {};
-  const double enough = std::ranges::min(log_time) + weights * as_good;
-  const auto first = std::ranges::find_if(log_time, [&](double time) { return time <= enough; });
-  return costs[static_cast<std::size_t>(first - log_time.begin())];
+  if (log_gain.empty()) return {};
+  double most = -std::numeric_limits<double>::infinity();
+  for (const auto& [cost, sum] : log_gain) most = std::max(most, sum);
+  const auto is_enough = [&](const auto& entry) { return entry.second >= most - scenes * as_good; };
+  return std::ranges::find_if(log_gain, is_enough)->first;
 }
 
 }  // namespace bspview

@@ -13,8 +13,8 @@
 namespace bspview {
 
 struct TuneParams {
-  BenchParams bench;  ///< its build: what trials differ from, the costs but for C_I included
-  std::vector<float> costs{0.25f, 0.35f, 0.5f, 0.7f, 1.0f, 1.4f, 2.0f, 2.8f};  ///< C_I, ascending
+  BenchParams bench;  ///< its build: what trials differ from
+  std::vector<float> costs{0.1f, 0.15f, 0.25f, 0.5f, 1.0f, 2.0f, 4.0f, 8.0f};  ///< C_I of one kind
   std::vector<int> depths{-6, -3, 3, 6};  ///< more than the automatic depth
   std::vector<int> leaf_sizes{2, 4, 8};
 };
@@ -22,14 +22,14 @@ struct TuneParams {
 /// One tree of a sweep.
 struct Trial {
   enum class What { as_given, cost, depth, leaf_size } what = What::as_given;
-  BuildParams build;
+  TreeRecipe recipe;
+  ObjectKind kind = ObjectKind::triangle;  ///< whose cost it tries
 };
 
 /// A sweep over trees of one scene.
 struct TunedScene {
-  std::array<double, object_kind_count> shares{};  ///< surface_shares
-  std::vector<Trial> trials;                       ///< the first is what was given
-  TreeComparison trees;                            ///< by trial
+  std::vector<Trial> trials;  ///< the first is what was given
+  TreeComparison trees;       ///< by trial
 };
 
 struct TuneReport {
@@ -50,9 +50,9 @@ Measured gain(const TunedScene& scene, std::size_t trial);
 std::size_t best_trial(const TunedScene& scene);
 
 /// The C_I that suits a kind of object: the least that is within 1 % of the best, since higher ones
-/// take longer to build; by the mean over the scenes of the logarithm of time, each scene by the
-/// share of its surface that is of this kind. Nothing where no scene has any.
-std::optional<double> fitted_cost(const TuneReport& report, ObjectKind kind);
+/// take longer to build; by the geometric mean over the scenes that hold such objects. Nothing
+/// where none does.
+std::optional<float> fitted_cost(const TuneReport& report, ObjectKind kind);
 
 std::string to_text(const TuneReport& report);
 std::string to_json(const TuneReport& report);

@@ -11,27 +11,28 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, object_kind_count> kind_names{"triangles", "polygons",
-                                                                     "spheres", "cones"};
+constexpr std::array<std::string_view, TestCosts{}.size()> kind_names{"triangles", "polygons",
+                                                                      "spheres", "cones"};
 
 std::string name_of(const Trial& trial) {
   switch (trial.what) {
     case Trial::What::as_given:
       return "as given";
     case Trial::What::cost:
-      return fmt::format("C_I {:g}", *trial.build.cost_intersection);
+      return fmt::format("{} {:g}", kind_names[static_cast<std::size_t>(trial.kind)],
+                         test_cost(trial.recipe.test_costs, trial.kind));
     case Trial::What::depth:
-      return fmt::format("depth {}", *trial.build.max_depth);
+      return fmt::format("depth {}", *trial.recipe.build.max_depth);
     case Trial::What::leaf_size:
       break;
   }
-  return fmt::format("leaf size {}", trial.build.leaf_size);
+  return fmt::format("leaf size {}", trial.recipe.build.leaf_size);
 }
 
 std::string row(const TunedScene& scene, std::size_t trial) {
   const Measured faster = gain(scene, trial);
   const TreeFacts& facts = scene.trees.trees[trial];
-  std::string text = fmt::format("  {:<12} {:>6.3f} {:>6.3f}", name_of(scene.trials[trial]),
+  std::string text = fmt::format("  {:<14} {:>6.3f} {:>6.3f}", name_of(scene.trials[trial]),
                                  faster.median, faster.spread);
   for (const KindTimes& kind : scene.trees.times.kinds) {
     text += fmt::format(" {:>9.3f}", 1e3 / summarise(kind.peers[trial].nanoseconds).median);
@@ -42,7 +43,7 @@ std::string row(const TunedScene& scene, std::size_t trial) {
 }
 
 std::string table(const TunedScene& scene) {
-  std::string text = fmt::format("\n{}, {} objects; depth {}, C_I {:.2f}\n  {:<12} {:>6} {:>6}",
+  std::string text = fmt::format("\n{}, {} objects; depth {}, C_I {:.2f}\n  {:<14} {:>6} {:>6}",
                                  scene.trees.times.name, scene.trees.times.objects.objects,
                                  scene.trees.trees[0].max_depth,
                                  scene.trees.trees[0].cost_intersection, "", "gain", "+-");
@@ -61,12 +62,12 @@ std::string summary(const TuneReport& report) {
     const std::size_t best = best_trial(scene);
     const Measured faster = gain(scene, best);
     most = std::max(most, faster.median);
-    text += fmt::format("  {:<22} {:<12} {:.3f} +- {:.3f}\n", scene.trees.times.name,
+    text += fmt::format("  {:<22} {:<14} {:.3f} +- {:.3f}\n", scene.trees.times.name,
                         name_of(scene.trials[best]), faster.median, faster.spread);
   }
   text += "\nC_I that suits each kind of object, C_T being " +
           fmt::format("{:g}:", report.params.bench.build.cost_traversal);
-  for (std::size_t i = 0; i < object_kind_count; ++i) {
+  for (std::size_t i = 0; i < kind_names.size(); ++i) {
     const auto cost = fitted_cost(report, static_cast<ObjectKind>(i));
     if (cost) text += fmt::format(" {} {:g}", kind_names[i], *cost);
   }
@@ -76,7 +77,7 @@ std::string summary(const TuneReport& report) {
 }
 
 Json trial_json(const TunedScene& scene, std::size_t trial) {
-  const BuildParams& build = scene.trials[trial].build;
+  const BuildParams& build = scene.trials[trial].recipe.build;
   const TreeFacts& facts = scene.trees.trees[trial];
   const Measured faster = gain(scene, trial);
   Json json{{"name", name_of(scene.trials[trial])},
@@ -111,7 +112,7 @@ std::string to_text(const TuneReport& report) {
 
 std::string to_json(const TuneReport& report) {
   Json json{{"rays", report.params.bench.rays}, {"repeats", report.params.bench.repeats}};
-  for (std::size_t i = 0; i < object_kind_count; ++i) {
+  for (std::size_t i = 0; i < kind_names.size(); ++i) {
     const auto cost = fitted_cost(report, static_cast<ObjectKind>(i));
     json["cost_intersection"][std::string(kind_names[i])] = cost ? Json(*cost) : Json(nullptr);
   }

@@ -65,7 +65,7 @@ Split find_swept(const TestJob& test) {
 
 Split find_among_few(const TestJob& test) {
   std::vector<FewBox> boxes;
-  for (const ObjectPart& part : test.parts) boxes.push_back(few_box(part.box));
+  for (const ObjectPart& part : test.parts) boxes.push_back(few_box(part.box, 1.0f));
   return cheapest_of_few(test.job, boxes, test.job.box);
 }
 
@@ -124,6 +124,25 @@ TEST(CheapestPlane, IsThatOfAllOfHardBoxes) {
         expect_cheapest(test, find_among_few(test), hard.name);
       expect_cheapest(test, find_swept(test), hard.name);
     }
+  }
+}
+
+TEST(CheapestPlane, ABoxThatCostsMoreIsAsGoodAsSeveral) {
+  test::Random random(4);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const test::BoxSet set = test::random_boxes(10, static_cast<std::uint64_t>(trial));
+    const TestJob test(set.boxes(), part_of_the_cube, costs);
+    std::vector<FewBox> weighed, several;
+    for (const ObjectPart& part : test.parts) {
+      const int tests = 1 + random.below(3);
+      weighed.push_back(few_box(part.box, static_cast<float>(tests)));
+      several.insert(several.end(), static_cast<std::size_t>(tests), few_box(part.box, 1.0f));
+    }
+    const Split one = cheapest_of_few(test.job, weighed, test.job.box);
+    const Split same = cheapest_of_few(test.job, several, test.job.box);
+    ASSERT_EQ(one.cost, same.cost) << "trial " << trial;
+    ASSERT_EQ(one.axis, same.axis) << "trial " << trial;
+    ASSERT_EQ(one.position, same.position) << "trial " << trial;
   }
 }
 

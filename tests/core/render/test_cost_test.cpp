@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <algorithm>
 
 #include "core/render/scene_tree.h"
 #include "tests/support/scenes.h"
@@ -10,48 +10,55 @@
 namespace bspview {
 namespace {
 
-constexpr std::size_t index_of(ObjectKind kind) {
-  return static_cast<std::size_t>(kind);
-}
-
-TEST(TestCost, SharesAreOfTheSurfaceOfBoxes) {
+TEST(TestCost, TheMeanIsByTheNumberOfObjects) {
   Scene scene;
   const std::uint32_t material = add_material(scene, {});
   add_sphere(scene, material, {.centre = Vec3(0.0f), .radius = 1.0f});
-  add_sphere(scene, material, {.centre = Vec3(9.0f), .radius = 1.0f});
   const Vec3 corners[] = {Vec3(0.0f), Vec3(1.0f, 0.0f, 0.0f), Vec3(0.0f, 1.0f, 0.0f)};
-  add_face(scene, material, corners);
-  const std::vector<Aabb> boxes{{Vec3(-1.0f), Vec3(1.0f)},  // 12 are half of its surface
-                                {},                         // not placed
-                                {Vec3(0.0f), Vec3(2.0f, 2.0f, 0.0f)}};
-  const auto shares = surface_shares(scene, boxes);
-  EXPECT_DOUBLE_EQ(shares[index_of(ObjectKind::sphere)], 0.75);
-  EXPECT_DOUBLE_EQ(shares[index_of(ObjectKind::triangle)], 0.25);
-  EXPECT_FLOAT_EQ(mean_test_cost(scene, boxes),
-                  static_cast<float>(0.75 * test_costs[index_of(ObjectKind::sphere)] +
-                                     0.25 * test_costs[index_of(ObjectKind::triangle)]));
+  for (int i = 0; i < 3; ++i) add_face(scene, material, corners);
+  EXPECT_EQ(mean_test_cost({1.0f, 9.0f, 5.0f, 9.0f}, scene), 2.0f);  // triangles, spheres
+  EXPECT_GT(mean_test_cost(default_test_costs, {}), 0.0f);
 }
 
-TEST(TestCost, SharesAddUpToOneWhateverThereIs) {
-  Scene points;
-  add_sphere(points, add_material(points, {}), {.centre = Vec3(1.0f), .radius = 0.0f});
-  for (const Scene& scene : {Scene{}, points, test::random_scene(200, 1)}) {
-    const auto shares = surface_shares(scene, object_bounds(scene));
-    EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1.0, 1e-12);
+/// Objects of the leaf with the most.
+std::uint32_t largest_leaf(const Tree& tree) {
+  std::uint32_t most = 0;
+  for (const Node& node : tree.nodes) {
+    if (node.is_leaf()) most = std::max(most, node.count());
+  }
+  return most;
+}
+
+TEST(TestCost, ObjectsThatCostMoreAreInSmallerLeaves) {
+  const Scene scene = test::random_triangles(2000, 3);
+  for (const Builder builder : {Builder::sah, Builder::sah_binned}) {
+    const BuildParams params{.builder = builder};
+    const auto cheap = build_scene_tree(scene, params, {}, {0.1f, 1.0f, 1.0f, 1.0f});
+    const auto dear = build_scene_tree(scene, params, {}, {4.0f, 1.0f, 1.0f, 1.0f});
+    ASSERT_TRUE(cheap.ok() && dear.ok());
+    EXPECT_GT(largest_leaf(*cheap), largest_leaf(*dear));
+    EXPECT_LT(cheap->nodes.size(), dear->nodes.size());
   }
 }
 
-TEST(TestCost, TreesAreBuiltWithTheMeanOfTheScene) {
-  const Scene scene = test::random_scene(200, 2);
-  const float mean = mean_test_cost(scene, object_bounds(scene));
-  const auto automatic = build_scene_tree(scene, {});
-  const auto same = build_scene_tree(scene, {.cost_intersection = mean});
-  const auto other = build_scene_tree(scene, {.cost_intersection = 0.01f});
-  ASSERT_TRUE(automatic.ok() && same.ok() && other.ok());
-  EXPECT_EQ(automatic->cost_intersection, mean);
-  EXPECT_EQ(other->cost_intersection, 0.01f);
-  EXPECT_EQ(automatic->nodes, same->nodes);
-  EXPECT_NE(automatic->nodes, other->nodes);
+TEST(TestCost, ThatOfOneKindChangesNoTreeOfOthers) {
+  const Scene scene = test::random_triangles(500, 4);
+  const auto one = build_scene_tree(scene, {}, {}, {0.5f, 1.0f, 1.0f, 1.0f});
+  const auto same = build_scene_tree(scene, {}, {}, {0.5f, 7.0f, 8.0f, 9.0f});
+  const auto asked_for = build_scene_tree(scene, {.cost_intersection = 0.5f});
+  ASSERT_TRUE(one.ok() && same.ok() && asked_for.ok());
+  EXPECT_EQ(one->nodes, same->nodes);
+  EXPECT_EQ(one->nodes, asked_for->nodes);
+}
+
+TEST(TestCost, WhatIsAskedForIsTheSameForAllKinds) {
+  const Scene scene = test::random_scene(300, 5);
+  const BuildParams params{.cost_intersection = 1.0f};
+  const auto one = build_scene_tree(scene, params, {}, {1.0f, 2.0f, 3.0f, 4.0f});
+  const auto other = build_scene_tree(scene, params);
+  ASSERT_TRUE(one.ok() && other.ok());
+  EXPECT_EQ(one->nodes, other->nodes);
+  EXPECT_EQ(one->cost_intersection, 1.0f);
 }
 
 }  // namespace

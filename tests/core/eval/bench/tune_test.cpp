@@ -21,13 +21,14 @@ TuneParams quick() {
 }
 
 /// A scene where trees of C_I 1, 2 and 4 take so many nanoseconds a ray, the one that was given 12.
-TunedScene tuned(std::array<double, object_kind_count> shares, std::array<double, 3> nanoseconds) {
-  TunedScene scene{.shares = shares, .trials = {{}}, .trees = {}};
+TunedScene tuned(ObjectKind kind, std::array<double, 3> nanoseconds) {
+  TunedScene scene{.trials = {{}}, .trees = {}};
   KindTimes& times = scene.trees.times.kinds.emplace_back();
   times.peers.push_back({.rays = 1, .nanoseconds = {12.0, 12.0}});
   float cost = 1.0f;
   for (const double ns : nanoseconds) {
-    scene.trials.push_back({Trial::What::cost, {.cost_intersection = cost}});
+    Trial& trial = scene.trials.emplace_back(Trial{.what = Trial::What::cost, .kind = kind});
+    trial.recipe.test_costs[static_cast<std::size_t>(kind)] = cost;
     times.peers.push_back({.rays = 1, .nanoseconds = {ns, ns}});
     cost *= 2.0f;
   }
@@ -47,13 +48,18 @@ TEST(Tune, EveryTrialDiffersFromWhatWasGivenInOneThing) {
   const auto report = run_tune(std::span(&scene, 1), quick());
   ASSERT_TRUE(report.ok());
   const TunedScene& tuned = report->scenes.at(0);
-  ASSERT_EQ(tuned.trials.size(), 7u);
-  EXPECT_EQ(tuned.trials[0].build, BuildParams{});
-  EXPECT_EQ(tuned.trials[2].build, BuildParams{.cost_intersection = 1.0f});
+  ASSERT_EQ(tuned.trials.size(), 16u);  // four kinds at three costs
+  const TreeRecipe given;
+  EXPECT_EQ(tuned.trials[0].recipe, given);
+  for (std::size_t i = 0; i < 12; ++i) {
+    TreeRecipe one = given;
+    one.test_costs[i / 3] = quick().costs[i % 3];
+    EXPECT_EQ(tuned.trials[1 + i].recipe, one);
+  }
   const int depth = automatic_depth(scene.objects.size());
-  EXPECT_EQ(tuned.trials[4].build, BuildParams{.max_depth = depth - 2});
-  EXPECT_EQ(tuned.trials[5].build, BuildParams{.max_depth = depth_cap});
-  EXPECT_EQ(tuned.trials[6].build, BuildParams{.leaf_size = 4});
+  EXPECT_EQ(tuned.trials[13].recipe, TreeRecipe{{.max_depth = depth - 2}});
+  EXPECT_EQ(tuned.trials[14].recipe, TreeRecipe{{.max_depth = depth_cap}});
+  EXPECT_EQ(tuned.trials[15].recipe, TreeRecipe{{.leaf_size = 4}});
   for (std::size_t i = 0; i < tuned.trials.size(); ++i) {
     const TreeFacts& facts = tuned.trees.trees[i];
     EXPECT_GT(facts.bytes, 0u);
@@ -65,7 +71,7 @@ TEST(Tune, EveryTrialDiffersFromWhatWasGivenInOneThing) {
 }
 
 TEST(Tune, GainIsTheGeometricMeanOverTheKindsOfRays) {
-  TunedScene scene = tuned({1.0}, {3.0, 12.0, 24.0});
+  TunedScene scene = tuned(ObjectKind::triangle, {3.0, 12.0, 24.0});
   KindTimes& second = scene.trees.times.kinds.emplace_back();
   second.peers = scene.trees.times.kinds.front().peers;
   second.peers[1].nanoseconds = {12.0, 12.0};
@@ -74,32 +80,33 @@ TEST(Tune, GainIsTheGeometricMeanOverTheKindsOfRays) {
 }
 
 TEST(Tune, NothingBetterIsWhatWasGiven) {
-  EXPECT_EQ(best_trial(tuned({1.0}, {13.0, 12.5, 12.1})), 0u);
+  EXPECT_EQ(best_trial(tuned(ObjectKind::triangle, {13.0, 12.5, 12.1})), 0u);
 }
 
 TEST(Tune, AKindCostsTheLeastThatIsAboutTheBest) {
-  const TuneReport report = report_of({tuned({1.0, 0.0}, {10.0, 8.02, 8.0})});
+  const TuneReport report = report_of({tuned(ObjectKind::triangle, {10.0, 8.02, 8.0})});
   EXPECT_EQ(fitted_cost(report, ObjectKind::triangle), 2.0);
   EXPECT_FALSE(fitted_cost(report, ObjectKind::sphere));
 }
 
-TEST(Tune, ScenesCountByTheirShareOfTheKind) {
-  const TuneReport report =
-      report_of({tuned({0.9, 0.1}, {8.0, 10.0, 12.0}), tuned({0.1, 0.9}, {12.0, 10.0, 8.0})});
-  EXPECT_EQ(fitted_cost(report, ObjectKind::triangle), 1.0);
-  EXPECT_EQ(fitted_cost(report, ObjectKind::polygon), 4.0);
+TEST(Tune, AKindIsFittedToTheScenesThatHoldIt) {
+  const TuneReport report = report_of({tuned(ObjectKind::triangle, {8.0, 10.0, 12.0}),
+                                       tuned(ObjectKind::cone, {12.0, 10.0, 8.0}),
+                                       tuned(ObjectKind::cone, {11.0, 10.0, 9.0})});
+  EXPECT_EQ(fitted_cost(report, ObjectKind::triangle), 1.0f);
+  EXPECT_EQ(fitted_cost(report, ObjectKind::cone), 4.0f);
 }
 
 TEST(Tune, TheReportNamesTheBestAndWhatItWouldGain) {
-  const TuneReport report = report_of({tuned({1.0}, {10.0, 6.0, 8.0})});
+  const TuneReport report = report_of({tuned(ObjectKind::triangle, {10.0, 6.0, 8.0})});
   const std::string text = to_text(report);
-  EXPECT_NE(text.find("C_I 2        2.000 +- 0.000"), std::string::npos) << text;
+  EXPECT_NE(text.find("triangles 2    2.000 +- 0.000"), std::string::npos) << text;
   EXPECT_NE(text.find("triangles 2\n"), std::string::npos) << text;
   EXPECT_NE(text.find("at most 100.0 % slower"), std::string::npos) << text;
   const auto json = nlohmann::json::parse(to_json(report));
   EXPECT_EQ(json["cost_intersection"]["triangles"], 2.0);
   EXPECT_TRUE(json["cost_intersection"]["cones"].is_null());
-  EXPECT_EQ(json["scenes"][0]["best"], "C_I 2");
+  EXPECT_EQ(json["scenes"][0]["best"], "triangles 2");
   EXPECT_EQ(json["scenes"][0]["trials"][2]["gain"], 2.0);
 }
 
