@@ -31,6 +31,7 @@ struct BenchOptions {
   bool scale = false;
   bool povray = false;
   bool build = false;
+  bool quality = false;
   bool builder_given = false, limit_given = false;
   std::vector<double> sizes = BuildBenchParams{}.sizes;
   double max_objects = ScaleParams{}.max_objects;
@@ -124,6 +125,12 @@ Result<Texts> measure_builds(const BenchOptions& options, const Watch& watch) {
   // A tree that does not fit is built several times: no time of one build.
   if (!options.limit_given) params.build.memory_limit = std::numeric_limits<std::size_t>::max();
   if (options.builder_given) params.builders = {options.tree.build.builder};
+  params.rays = options.params.rays;
+  if (options.quality) {
+    auto scenes = load_scenes(options.scenes.empty() ? standard_scenes : options.scenes);
+    if (!scenes) return scenes.error();
+    params.scenes = *std::move(scenes);
+  }
   const auto report = run_build_bench(params, watch);
   return report ? Result<Texts>(texts_of(*report)) : report.error();
 }
@@ -204,9 +211,13 @@ void add_build_mode(CLI::App& command, BenchOptions& options) {
       "--build", options.build,
       "Time the building of standard scenes in growing sizes, with threads from one to all (or "
       "--threads), instead; default: every SAH builder, no memory limit");
-  for (const char* other : {"SCENE", "--rays", "--kinds", "--segments", "--scale", "--povray"}) {
+  for (const char* other : {"--kinds", "--segments", "--scale", "--povray"}) {
     build->excludes(command.get_option(other));
   }
+  CLI::Option* quality = command.add_flag("--quality", options.quality,
+                                          "With --build: send rays through the trees of all its "
+                                          "builders, too, of SCENE or the default");
+  quality->needs(build);
   command
       .add_option("--sizes", options.sizes, "With --build: about so many objects, ascending or not")
       ->check(CLI::Range(1.0, max_spd_objects).description(""))
@@ -214,6 +225,19 @@ void add_build_mode(CLI::App& command, BenchOptions& options) {
       ->needs(build)
       ->type_name("N[,N]")
       ->default_str("1e3,1e4,1e5,1e6");
+}
+
+/// Rays and scenes go with --build only where its trees are compared by them.
+void check_quality(const BenchOptions& options, const CLI::App& command) {
+  if (options.quality && options.tree.build.builder == Builder::naive) {
+    throw CLI::ValidationError("--quality", "naive builds no tree");
+  }
+  if (!options.build || options.quality) return;
+  for (const char* name : {"SCENE", "--rays"}) {
+    if (command.count(name) > 0) {
+      throw CLI::ValidationError(name, "goes with --build only where --quality is there");
+    }
+  }
 }
 
 void add_bench_options(CLI::App& command, BenchOptions& options) {
@@ -249,6 +273,7 @@ void add_bench(CLI::App& app, Run& run) {
       options->quiet);
   add_bench_options(*command, *options);
   command->callback([options, command, &run] {
+    check_quality(*options, *command);
     options->builder_given = command->count("--builder") > 0;
     options->limit_given = command->count("--memory-limit") > 0;
     run = [options] { return run_bench_command(*options); };

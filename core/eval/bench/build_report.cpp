@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/eval/bench/build_run.h"
+#include "core/eval/bench/build_quality.h"
 #include "core/eval/machine_json.h"
 
 namespace bspview {
@@ -165,7 +165,7 @@ std::string to_text(const BuildReport& report) {
   for (const BuildFamily& family : report.families) {
     if (!family.sizes.empty()) text += family_table(report, family);
   }
-  text += fit_table(report) + "\n";
+  text += fit_table(report) + quality_table(report) + "\n";
   for (std::size_t peer = 0; peer < report.peers.size(); ++peer) {
     text += verdict(report, peer) + "\n";
   }
@@ -189,6 +189,7 @@ std::string to_json(const BuildReport& report) {
   for (const BuildFamily& family : report.families) {
     json["families"].push_back(family_json(report, family));
   }
+  json["quality"] = quality_json(report);
   json["machine"] = machine_json(report.machine);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -56,10 +56,25 @@ class BuildRun {
         family.sizes.push_back(*std::move(built));
       }
     }
+    for (const Scene& scene : report_.params.scenes) {
+      auto compared = compare(scene);
+      if (!compared) return Error{scene.name + ": " + compared.error().message};
+      report_.quality.push_back(*std::move(compared));
+    }
     return std::move(report_);
   }
 
  private:
+  Result<TreeComparison> compare(const Scene& scene) const {
+    std::vector<TreeRecipe> recipes;
+    for (const Builder builder : report_.params.builders) {
+      recipes.emplace_back().build = report_.params.build;
+      recipes.back().build.builder = builder;
+    }
+    const BenchParams bench{.rays = report_.params.rays, .repeats = report_.params.repeats};
+    return compare_trees(scene, recipes, bench, Watch(watch_.stop));
+  }
+
   Result<BuiltScene> measure(const Scene& scene) {
     BuiltScene built{scene.name, scene.objects.size(), {}};
     for (std::size_t peer = 0; peer < report_.peers.size(); ++peer) {

@@ -8,6 +8,7 @@
 #include "core/base/watch.h"
 #include "core/eval/bench/build_peer.h"
 #include "core/eval/bench/scale.h"
+#include "core/eval/bench/trees.h"
 #include "core/eval/lambda.h"
 
 namespace bspview {
@@ -17,7 +18,9 @@ struct BuildBenchParams {
   std::vector<Builder> builders;  ///< of ours; none: every one whose name begins with "sah"
   std::vector<double> sizes{1e3, 1e4, 1e5, 1e6};  ///< objects of the scenes, about
   int repeats = 9;                                ///< at most
-  double patience = 3.0;  ///< seconds, after which a scene is not repeated any more
+  double patience = 3.0;      ///< seconds, after which a scene is not repeated any more
+  std::vector<Scene> scenes;  ///< those that rays go through, in trees of every builder of ours
+  std::size_t rays = 65536;   ///< about as many of every kind
 };
 
 /// What one peer took for one scene with so many threads.
@@ -46,6 +49,7 @@ struct BuildReport {
   std::vector<BuildPeer> peers;  ///< ours first
   std::vector<int> threads;      ///< 1, 2, 4 ... all
   std::vector<BuildFamily> families;
+  std::vector<TreeComparison> quality;  ///< of the scenes; trees in the order of the peers
   Machine machine = this_machine();
 };
 

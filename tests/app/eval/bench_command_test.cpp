@@ -67,6 +67,24 @@ TEST_F(BenchCommand, BuildHasScenesOfItsOwn) {
   EXPECT_EQ(run("bench --build --rays 5").exit_code, 2);
 }
 
+TEST_F(BenchCommand, BuildComparesWhatRaysMakeOfTheTrees) {
+  const Outcome outcome =
+      run("bench s.nff --build --quality --rays 64 --sizes 100 --threads 1 --repeat 2 -o q");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("sah-binned: at least "), std::string::npos);
+  const auto json = nlohmann::json::parse(read("q/build.json"));
+  ASSERT_EQ(json["quality"].size(), 1u);
+  ASSERT_EQ(json["quality"][0]["trees"].size(), 2u);
+  EXPECT_EQ(json["quality"][0]["trees"][1]["builder"], "sah-binned");
+  EXPECT_EQ(json["quality"][0]["trees"][0]["speed"], 1.0);
+  EXPECT_GT(json["quality"][0]["trees"][1]["N_AT"], 0.0);
+}
+
+TEST_F(BenchCommand, QualityIsOfTreesThatAreBuilt) {
+  EXPECT_EQ(run("bench s.nff --quality").exit_code, 2);
+  EXPECT_EQ(run("bench s.nff --build --quality --builder naive").exit_code, 2);
+}
+
 TEST_F(BenchCommand, PovRayTakesNoRays) {
   EXPECT_EQ(run("bench s.nff --povray --rays 5").exit_code, 2);
   EXPECT_EQ(run("bench --povray --scale").exit_code, 2);
