@@ -6,6 +6,7 @@
 #include "app/eval/progress.h"
 #include "core/base/file.h"
 #include "core/eval/bench/build_run.h"
+#include "core/eval/bench/first_picture.h"
 #include "core/eval/bench/povray.h"
 #include "core/eval/bench/report.h"
 #include "core/eval/bench/scale.h"
@@ -32,6 +33,7 @@ struct BenchOptions {
   bool povray = false;
   bool build = false;
   bool quality = false;
+  bool first_picture = false;
   bool builder_given = false, limit_given = false;
   std::vector<double> sizes = BuildBenchParams{}.sizes;
   double max_objects = ScaleParams{}.max_objects;
@@ -98,6 +100,12 @@ Texts texts_of(const PovrayReport& report) {
   return {to_text(report), json, {{"povray.csv", to_csv(report)}, {"povray.json", json}}};
 }
 
+Texts texts_of(const FirstPictureReport& report) {
+  const std::string json = to_json(report);
+  return {
+      to_text(report), json, {{"first_picture.csv", to_csv(report)}, {"first_picture.json", json}}};
+}
+
 constexpr std::size_t classic_scenes = 8;  // of standard_scenes
 
 Result<Texts> measure_pictures(const BenchOptions& options, const Watch& watch) {
@@ -135,10 +143,23 @@ Result<Texts> measure_builds(const BenchOptions& options, const Watch& watch) {
   return report ? Result<Texts>(texts_of(*report)) : report.error();
 }
 
+/// Half a million triangles, polygons of many corners, and four million triangles.
+const std::vector<std::string> large_scenes{"spd:mount:9", "spd:gears:9", "spd:tetra:11"};
+
+Result<Texts> measure_first_pictures(const BenchOptions& options, const Watch& watch) {
+  const auto scenes = load_scenes(options.scenes.empty() ? large_scenes : options.scenes);
+  if (!scenes) return scenes.error();
+  FirstPictureParams params{.build = options.tree.build, .repeats = options.params.repeats};
+  if (!options.limit_given) params.build.memory_limit = std::numeric_limits<std::size_t>::max();
+  const auto report = run_first_picture(*scenes, params, watch);
+  return report ? Result<Texts>(texts_of(*report)) : report.error();
+}
+
 Result<Texts> measure(const BenchOptions& options, const Watch& watch) {
   if (options.scale) return measure_scale(options, watch);
   if (options.build) return measure_builds(options, watch);
   if (options.povray) return measure_pictures(options, watch);
+  if (options.first_picture) return measure_first_pictures(options, watch);
   const auto scenes = load_scenes(options.scenes.empty() ? standard_scenes : options.scenes);
   if (!scenes) return scenes.error();
   const auto report = run_bench(*scenes, bench_params(options), watch);
@@ -240,6 +261,17 @@ void check_quality(const BenchOptions& options, const CLI::App& command) {
   }
 }
 
+void add_first_picture_mode(CLI::App& command, BenchOptions& options) {
+  CLI::Option* first = command.add_flag(
+      "--first-picture", options.first_picture,
+      "Time the way from scenes to their first pictures instead: by whole trees, by a tree of "
+      "--builder that grows where rays go, and by Embree; default: three large scenes");
+  for (const char* other :
+       {"--rays", "--kinds", "--segments", "--scale", "--povray", "--build", "--sizes"}) {
+    first->excludes(command.get_option(other));
+  }
+}
+
 void add_bench_options(CLI::App& command, BenchOptions& options) {
   command
       .add_option("SCENE", options.scenes,
@@ -256,10 +288,12 @@ void add_bench_options(CLI::App& command, BenchOptions& options) {
       ->capture_default_str();
   add_other_modes(command, options);
   add_build_mode(command, options);
+  add_first_picture_mode(command, options);
   command
       .add_option(
           "-o", options.folder,
-          "Folder for bench.csv, .json and .svg; those of scale or build; povray.csv, .json")
+          "Folder for bench.csv, .json and .svg; those of scale or build; povray.csv, .json and "
+          "those of first_picture")
       ->type_name("DIR");
   add_json(command, options.json);
 }
@@ -276,6 +310,8 @@ void add_bench(CLI::App& app, Run& run) {
     check_quality(*options, *command);
     options->builder_given = command->count("--builder") > 0;
     options->limit_given = command->count("--memory-limit") > 0;
+    if (options->first_picture && options->tree.build.builder == Builder::naive)
+      throw CLI::ValidationError("--builder", "the builder naive splits nothing that could wait");
     run = [options] { return run_bench_command(*options); };
   });
 }

@@ -11,9 +11,11 @@ namespace bspview {
 namespace {
 
 /// The largest nodes that are put off below one with `objects` objects; 0: none is.
-std::size_t deferred_size(std::size_t objects, std::size_t share) {
-  if (objects <= most_lone_objects) return 0;
-  return std::max(most_lone_objects, objects / share);
+std::size_t deferred_size(std::size_t objects) {
+  constexpr std::size_t share = 16;
+  if (objects <= most_built_objects) return 0;
+  if (objects <= 2 * most_tested_objects) return most_built_objects;
+  return std::max(most_tested_objects, objects / share);
 }
 
 GrowTree* upper_rule(Builder builder) {
@@ -47,7 +49,7 @@ Result<PartialTree> build_partial_tree(const BuildInput& input, const BuildParam
     PartialTree partial;
     with_threads(params.threads, [&] {
       BuildJob job = make_job(input, params, root_box(input, stop), stop);
-      job.deferred_size = deferred_size(input.boxes.size(), 16);
+      job.deferred_size = deferred_size(input.boxes.size());
       partial = grow_partial(job, params, [&] { return placeable_objects(job); });
     });
     partial.tree.build_seconds = timer.seconds();
@@ -65,7 +67,7 @@ Result<PartialTree> build_deferred(const BuildInput& input, const Tree& whole,
     BuildJob job = make_job(input, params, whole.box, {});
     job.box = leaf.place.cell;
     job.depth = leaf.place.depth;
-    job.deferred_size = deferred_size(leaf.parts.size(), 16);
+    job.deferred_size = deferred_size(leaf.parts.size());
     PartialTree partial;
     with_threads(1, [&] { partial = grow_partial(job, whole.params, [&] { return leaf.parts; }); });
     partial.tree.build_seconds = timer.seconds();

@@ -15,8 +15,12 @@ struct PartialTree {
   std::vector<DeferredLeaf> deferred;  ///< one an element of tree.unbuilt
 };
 
-/// Leaves with at most so many objects are not put off again.
-inline constexpr std::size_t most_lone_objects = 64;
+/// Of what is put off, nodes with at most so many objects are built to the last leaf at once, and
+/// others into nodes that are put off again.
+inline constexpr std::size_t most_built_objects = 64;
+
+/// Nodes with more objects are too slow to test for them to stay leaves for even a few rays.
+inline constexpr std::size_t most_tested_objects = 1024;
 
 /// The upper part of what build_tree builds, with the same errors. `sah` prices the planes of nodes
 /// with many objects by bins, as `sah-binned` does; every other builder splits them as ever.

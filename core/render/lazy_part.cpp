@@ -5,14 +5,17 @@
 namespace bspview {
 namespace {
 
-// Nanoseconds, about: to split a leaf, for each of its objects, and to test what is in it.
-constexpr double split_time = 2500.0, block_time = 17.0, object_time = 40.0;
+// Nanoseconds, about: to test a block, or any other object; and for each object of a leaf, to build
+// all that is below, or the next few levels.
+constexpr double block_time = 17.0, object_time = 40.0;
+constexpr double build_time = 2500.0, levels_time = 200.0;
 
 /// After so many, rays that test all of a leaf have cost as much as its splitting costs.
 std::uint32_t visits_worth_a_split(const Accelerator& leaf, std::size_t objects) {
   const WideLeaf in_it = leaf.leaf(leaf.lone_leaf());
   const double test_time = block_time * in_it.block_count + object_time * in_it.other_count;
-  return static_cast<std::uint32_t>(split_time * static_cast<double>(objects) / test_time);
+  const double split_time = objects <= most_built_objects ? build_time : levels_time;
+  return 1 + static_cast<std::uint32_t>(split_time * static_cast<double>(objects) / test_time);
 }
 
 std::vector<std::uint32_t> ids_of(std::span<const ObjectPart> parts) {
@@ -30,7 +33,7 @@ LazyPart::LazyPart(const LazyTree& whole, DeferredLeaf leaf)
 const Accelerator& LazyPart::make() const {
   const std::lock_guard lock(whole_.lock_of(*this));
   const Accelerator* const made = made_.load(std::memory_order_relaxed);
-  if (made == nullptr) return leaf_.parts.size() <= most_lone_objects ? make_leaf() : make_tree();
+  if (made == nullptr) return leaf_.parts.size() <= most_tested_objects ? make_leaf() : make_tree();
   return made == leaf_alone_.get() ? make_tree() : *made;
 }
 

@@ -67,11 +67,16 @@ Hit find_in_parts(const World& world, const Ray& ray, SideRule rule, bool any) {
 Result<void> build_for_counts(const World& world, const Camera& camera, const RenderParams& params,
                               const Watch& watch) {
   const TraceRules rules = trace_rules(params);
-  const RayKernel kernel{
-      [&](const Ray& ray) { return find_in_parts(world, ray, rules.sides, false); },
-      [&](const Ray& ray) {
-        return static_cast<bool>(find_in_parts(world, ray, rules.shadow_sides, true));
-      }};
+  const auto closest = [&](const Ray& ray) {
+    return find_in_parts(world, ray, rules.sides, false);
+  };
+  const auto is_occluded = [&](const Ray& ray) {
+    return static_cast<bool>(find_in_parts(world, ray, rules.shadow_sides, true));
+  };
+  const auto eye_hits = [&](std::span<const Ray> rays, std::span<Hit> hits) {
+    std::ranges::transform(rays, hits.begin(), closest);
+  };
+  const RayKernel kernel{eye_hits, closest, is_occluded};
   const auto image = render_with(world.scene, kernel, camera, params, watch);
   return image ? Result<void>() : image.error();
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -58,6 +59,7 @@ Result<CountedImage> render_counted(const World& world, const Camera& camera,
 
 /// What else can answer the rays of a picture, from several threads; see PlainTracer.
 struct RayKernel {
+  std::function<void(std::span<const Ray>, std::span<Hit>)> eye_hits;
   std::function<Hit(const Ray&)> closest;
   std::function<bool(const Ray&)> is_occluded;
 };

@@ -148,7 +148,7 @@ class KernelTracer {
  public:
   explicit KernelTracer(const RayKernel& kernel) : kernel_(kernel) {}
   void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
-    find_eye_hits(*this, rays, hits);
+    kernel_.eye_hits(rays, hits);
   }
   Hit closest(const Ray& ray, RayKind, int) { return kernel_.closest(ray); }
   bool occluded(const Ray& ray, int) { return kernel_.is_occluded(ray); }

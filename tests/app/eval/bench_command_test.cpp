@@ -85,6 +85,26 @@ TEST_F(BenchCommand, QualityIsOfTreesThatAreBuilt) {
   EXPECT_EQ(run("bench s.nff --build --quality --builder naive").exit_code, 2);
 }
 
+TEST_F(BenchCommand, FirstPicturesAreTimedFromTheSceneOn) {
+  const Outcome outcome = run("bench s.nff --first-picture --repeat 2 -o first --json -");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(exists("first/first_picture.csv"));
+  EXPECT_EQ(read("first/first_picture.json"), outcome.out);
+  const auto json = nlohmann::json::parse(outcome.out);
+  const auto& peers = json["scenes"][0]["peers"];
+  ASSERT_GE(peers.size(), 3u);
+  EXPECT_EQ(peers[0]["name"], "sah");
+  EXPECT_EQ(peers[0]["ratio"], 1.0);
+  EXPECT_EQ(peers[2]["name"], "lazy");
+  for (const auto& peer : peers) EXPECT_EQ(peer["repeats"], 2);
+}
+
+TEST_F(BenchCommand, FirstPicturesTakeNoRays) {
+  EXPECT_EQ(run("bench s.nff --first-picture --rays 5").exit_code, 2);
+  EXPECT_EQ(run("bench s.nff --first-picture --build").exit_code, 2);
+  EXPECT_EQ(run("bench s.nff --first-picture --builder naive").exit_code, 2);
+}
+
 TEST_F(BenchCommand, PovRayTakesNoRays) {
   EXPECT_EQ(run("bench s.nff --povray --rays 5").exit_code, 2);
   EXPECT_EQ(run("bench --povray --scale").exit_code, 2);
