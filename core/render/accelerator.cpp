@@ -40,15 +40,90 @@ Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
   return margin > 0.0f ? Aabb{box.lo - margin, box.hi + margin} : box;
 }
 
-/// What rays can hit of a part, in its cell.
+/// What rays can hit of a part of an object.
+Aabb hit_bounds(const Scene& scene, const ObjectPart& part) {
+  const float margin = margin_around(scene, part.object, part.box);
+  return {part.box.lo - margin, part.box.hi + margin};
+}
+
+/// What rays can hit of the objects in a leaf that was put off, in its cell.
 Aabb hit_bounds(const Scene& scene, const LazyPart& part) {
   Aabb box;
-  for (const auto& [bounds, object] : part.objects()) {
-    const float margin = margin_around(scene, object, bounds);
-    box.grow({bounds.lo - margin, bounds.hi + margin});
-  }
+  for (const ObjectPart& object : part.objects()) box.grow(hit_bounds(scene, object));
   return intersection(box, part.place().cell);
 }
+
+/// Boxes around few objects, as they come: rays that are few do not pay for better ones.
+class PartBoxes {
+ public:
+  PartBoxes(const Scene& scene, std::span<const ObjectPart> parts) {
+    for (const ObjectPart& part : parts) {
+      if (is_triangle(scene, part.object)) add(part.object, part.box, TriangleBlock::width);
+    }
+    for (const ObjectPart& part : parts) {
+      if (!is_triangle(scene, part.object)) add(part.object, hit_bounds(scene, part), 1);
+    }
+  }
+
+  const WideLeaves& leaves() const { return leaves_; }
+
+  /// Of leaves by their number.
+  RawVector<WideNode> make_nodes() {
+    RawVector<WideNode> nodes(1);  // the root, which is known last
+    while (children_.size() > WideNode::width) {
+      std::vector<Child> parents;
+      for (std::size_t i = 0; i < children_.size(); i += WideNode::width) {
+        parents.push_back(add_node(i, nodes));
+      }
+      children_ = std::move(parents);
+    }
+    nodes[0] = node_of(children_);
+    return nodes;
+  }
+
+ private:
+  struct Child {
+    Aabb box;
+    std::uint32_t name;
+  };
+
+  /// To the last leaf, while that has fewer than `most` objects.
+  void add(std::uint32_t object, const Aabb& box, std::uint32_t most) {
+    if (leaves_.ranges.empty() || leaves_.ranges.back().count >= most) {
+      const auto leaf = static_cast<std::uint32_t>(leaves_.ranges.size());
+      leaves_.ranges.push_back({static_cast<std::uint32_t>(leaves_.objects.size()), 0});
+      children_.push_back({{}, WideNode::leaf_bit | leaf});
+    }
+    leaves_.objects.push_back(object);
+    ++leaves_.ranges.back().count;
+    children_.back().box.grow(box);
+  }
+
+  Child add_node(std::size_t first, RawVector<WideNode>& nodes) const {
+    const std::size_t count = std::min<std::size_t>(WideNode::width, children_.size() - first);
+    const auto children = std::span(children_).subspan(first, count);
+    Child parent{{}, static_cast<std::uint32_t>(nodes.size())};
+    for (const Child& child : children) parent.box.grow(child.box);
+    nodes.push_back(node_of(children));
+    return parent;
+  }
+
+  static WideNode node_of(std::span<const Child> children) {
+    WideNode node{};
+    for (std::size_t slot = 0; slot < WideNode::width; ++slot) {
+      const Child child = slot < children.size() ? children[slot] : Child{{}, 0};
+      for (int axis = 0; axis < 3; ++axis) {
+        node.bounds[2 * axis][slot] = child.box.lo[axis];
+        node.bounds[2 * axis + 1][slot] = child.box.hi[axis];
+      }
+      node.child[slot] = child.name;
+    }
+    return node;
+  }
+
+  WideLeaves leaves_;
+  std::vector<Child> children_;
+};
 
 /// A tree whose objects are numbered from 0 on, so that few take little room; each leaf that was
 /// put off holds one object more.
@@ -171,8 +246,6 @@ class Accelerator::LeafMaker {
     names_.resize(leaves.size());
     ranges_.resize((leaves.size() + range_size - 1) / range_size);
   }
-
-  std::span<const std::uint32_t> names() const { return names_; }
 
   void make(const std::stop_token& stop) {
     parallel_ranges(leaves_.size(), range_size, [&](std::size_t first, std::size_t last) {
@@ -315,14 +388,11 @@ std::shared_ptr<const Accelerator> Accelerator::lay_out(
   return accelerator;
 }
 
-Accelerator Accelerator::lone_leaf(const Scene& scene, std::span<const std::uint32_t> objects) {
-  WideLeaves leaves;
-  leaves.objects.assign(objects.begin(), objects.end());
-  leaves.ranges.push_back({0, static_cast<std::uint32_t>(objects.size())});
+Accelerator Accelerator::of_parts(const Scene& scene, std::span<const ObjectPart> parts) {
+  PartBoxes boxes(scene, parts);
   Accelerator accelerator;
-  LeafMaker maker(scene, leaves, accelerator);
-  maker.make({});
-  accelerator.lone_leaf_ = WideNode::leaf_bit | maker.names()[0];
+  accelerator.tree_.nodes = boxes.make_nodes();
+  LeafMaker(scene, boxes.leaves(), accelerator).make({});
   return accelerator;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <stop_token>
 
+#include "core/bsp/deferred_leaf.h"
 #include "core/bsp/wide_tree.h"
 #include "core/render/world.h"
 #include "core/shape/triangle_block.h"
@@ -47,9 +48,8 @@ class Accelerator {
       const Scene& scene, const Tree& tree, std::vector<std::shared_ptr<const LazyPart>> parts,
       const std::stop_token& stop);
 
-  /// A leaf with those objects and nothing else: there are no nodes, its name is lone_leaf().
-  static Accelerator lone_leaf(const Scene& scene, std::span<const std::uint32_t> objects);
-  std::uint32_t lone_leaf() const { return lone_leaf_; }  ///< 0: there are nodes
+  /// Of the objects of a leaf that is not split, in boxes that overlap; made in no time.
+  static Accelerator of_parts(const Scene& scene, std::span<const ObjectPart> parts);
 
   friend std::shared_ptr<const Accelerator> make_accelerator(const World&, std::stop_token);
 
@@ -67,7 +67,6 @@ class Accelerator {
   RawVector<std::uint32_t> others_;
   RawVector<WideLeaf> mixed_;
   std::vector<std::shared_ptr<const LazyPart>> parts_;
-  std::uint32_t lone_leaf_ = 0;
   double build_seconds_ = 0.0;
 };
 

@@ -1,28 +1,19 @@
 #include "core/render/lazy_part.h"
 
+#include "core/base/parallel.h"
 #include "core/render/lazy_tree.h"
 
 namespace bspview {
 namespace {
 
-// Nanoseconds, about: to test a block, or any other object; and for each object of a leaf, to build
-// all that is below, or the next few levels.
-constexpr double block_time = 17.0, object_time = 40.0;
-constexpr double build_time = 2500.0, levels_time = 200.0;
+// Nanoseconds, about, for each object of a leaf: what a ray that comes to the leaf takes longer
+// than it would below, and what it takes to build all that is below, or the next few levels.
+constexpr double ray_time = 0.5, build_time = 2500.0, levels_time = 200.0;
 
-/// After so many, rays that test all of a leaf have cost as much as its splitting costs.
-std::uint32_t visits_worth_a_split(const Accelerator& leaf, std::size_t objects) {
-  const WideLeaf in_it = leaf.leaf(leaf.lone_leaf());
-  const double test_time = block_time * in_it.block_count + object_time * in_it.other_count;
-  const double split_time = objects <= most_built_objects ? build_time : levels_time;
-  return 1 + static_cast<std::uint32_t>(split_time * static_cast<double>(objects) / test_time);
-}
-
-std::vector<std::uint32_t> ids_of(std::span<const ObjectPart> parts) {
-  std::vector<std::uint32_t> ids;
-  ids.reserve(parts.size());
-  for (const ObjectPart& part : parts) ids.push_back(part.object);
-  return ids;
+/// After so many, rays have lost as much in a leaf as its splitting costs.
+std::uint32_t visits_worth_a_split(std::size_t objects) {
+  return static_cast<std::uint32_t>((objects <= most_built_objects ? build_time : levels_time) /
+                                    ray_time);
 }
 
 }  // namespace
@@ -45,10 +36,9 @@ const Tree* LazyPart::build() const {
 }
 
 const Accelerator& LazyPart::make_leaf() const {
-  leaf_alone_ = std::make_unique<const Accelerator>(
-      Accelerator::lone_leaf(whole_.scene_, ids_of(leaf_.parts)));
-  visits_left_.store(visits_worth_a_split(*leaf_alone_, leaf_.parts.size()),
-                     std::memory_order_relaxed);
+  leaf_alone_ =
+      std::make_unique<const Accelerator>(Accelerator::of_parts(whole_.scene_, leaf_.parts));
+  visits_left_.store(visits_worth_a_split(leaf_.parts.size()), std::memory_order_relaxed);
   made_.store(leaf_alone_.get(), std::memory_order_release);
   return *leaf_alone_;
 }
@@ -58,7 +48,8 @@ const Accelerator& LazyPart::make_tree() const {
   auto below = std::make_unique<Below>();
   below->accelerator = whole_.grow(leaf_, below->tree);
   if (below->accelerator == nullptr) {
-    if (leaf_alone_ == nullptr) make_leaf();
+    // Alone: a thread that helped others here could come for the lock that it holds.
+    if (leaf_alone_ == nullptr) with_threads(1, [&] { make_leaf(); });
     visits_left_.store(0, std::memory_order_relaxed);
     return *leaf_alone_;
   }

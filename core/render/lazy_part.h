@@ -11,8 +11,8 @@ namespace bspview {
 class LazyTree;
 
 /// A leaf that was put off, and what rays make of it. Where there are not many objects, it stays a
-/// leaf until testing them has cost rays about what splitting it costs: never more than twice the
-/// time of whoever knew beforehand how many rays come, and most leaves see few.
+/// leaf, with boxes around them, until rays have lost there about what splitting it costs: never
+/// more than twice the time of whoever knew beforehand how many rays come, and most leaves see few.
 class LazyPart {
  public:
   LazyPart(const LazyTree& whole, DeferredLeaf leaf);

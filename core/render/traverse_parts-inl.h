@@ -34,9 +34,7 @@ HWY_INLINE void traverse_parts(const Accelerator& accelerator, const WideRay& ra
 template <class Leaf>
 HWY_NOINLINE void traverse_part(const LazyPart& part, const WideRay& ray, const float& reach,
                                 Leaf& leaf) {
-  const Accelerator& below = part.accelerator();
-  if (below.lone_leaf() != 0) return leaf(below, below.lone_leaf());
-  traverse_parts(below, ray, reach, leaf);
+  traverse_parts(part.accelerator(), ray, reach, leaf);
 }
 
 template <class Leaf>
@@ -58,9 +56,7 @@ HWY_INLINE void traverse_parts_packet(const Accelerator& accelerator, const Pack
 template <class Leaf>
 HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalk& walk, unsigned lanes,
                                        Leaf& leaf) {
-  const Accelerator& below = part.accelerator();
-  if (below.lone_leaf() != 0) return leaf(below, below.lone_leaf(), lanes);
-  traverse_parts_packet(below, walk, lanes, leaf);
+  traverse_parts_packet(part.accelerator(), walk, lanes, leaf);
 }
 
 }  // namespace bspview::HWY_NAMESPACE
