@@ -78,16 +78,33 @@ bool solve(const Quadratic& equation, double discriminant, double roots[2]) {
 ConeFrame::ConeFrame(const Cone& cone)
     : base(cone.base),
       axis(Vec3d(cone.apex) - Vec3d(cone.base)),
-      per_axis2(1.0 / glm::dot(axis, axis)),
+      axis2(glm::dot(axis, axis)),
+      per_axis2(1.0 / axis2),
       base_radius(std::abs(static_cast<double>(cone.base_radius))),
       growth(std::abs(static_cast<double>(cone.apex_radius)) - base_radius),
+      widest2(std::pow(std::max(base_radius, base_radius + growth), 2)),
       is_inside_out(cone.base_radius < 0.0f || cone.apex_radius < 0.0f) {}
+
+namespace {
+
+/// Whether a ray surely passes the axis farther away than the largest radius, as most do. With
+/// n = d x axis their distance is |f . n| / |n|; f . n is off by less than 2^-48 |f| |d| |axis|.
+bool passes_far_from_axis(const RayQuery& ray, const ConeFrame& cone, Vec3d from_base) {
+  const Vec3d across = glm::cross(ray.wide_direction, cone.axis);
+  const double distance = glm::dot(from_base, across);
+  const double sizes2 = glm::dot(from_base, from_base) * ray.length2 * cone.axis2;
+  return distance * distance >
+         (1.0 + 0x1p-12) * cone.widest2 * glm::dot(across, across) + 0x1p-80 * sizes2;
+}
+
+}  // namespace
 
 double hit_cone(const RayQuery& ray, const ConeFrame& cone, Sides sides) {
   const Vec3d& d = ray.wide_direction;
   // Move the origin to about the ray's closest point to the middle of the axis: far away the
   // discriminant would be lost in the rounding of b * b.
   const Vec3d from_base = ray.wide_origin - cone.base;
+  if (passes_far_from_axis(ray, cone, from_base)) return no_hit;
   const double shift = glm::dot(0.5 * cone.axis - from_base, d) * ray.per_length2;
   const Vec3d f = from_base + shift * d;
 

@@ -20,8 +20,9 @@ struct ConeFrame {
   explicit ConeFrame(const Cone& cone);
 
   Vec3d base, axis;            ///< axis: from the base to the apex
-  double per_axis2;            ///< 1 / axis . axis
+  double axis2, per_axis2;     ///< axis . axis and its reciprocal
   double base_radius, growth;  ///< radius at s of the axis: base_radius + s growth, >= 0
+  double widest2;              ///< square of the largest radius
   bool is_inside_out;          ///< negative radii: seen from the inside
   bool operator==(const ConeFrame&) const = default;
 };
