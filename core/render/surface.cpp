@@ -1,5 +1,8 @@
 #include "core/render/surface.h"
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "core/math/float_error.h"
@@ -52,6 +55,25 @@ Vec3d patch_normal(const Scene& scene, const Face& face, const Ray& ray, Vec3d p
   return normal;
 }
 
+/// A float beyond x in the direction of an offset that led to x: the second from it on, or, if it
+/// is no float, on the far side of it.
+float moved_out(double x, double offset) {
+  if (offset == 0.0) return static_cast<float>(x);
+  // Seen so that the direction is up. Which way it is cannot be foretold: no branch asks for it.
+  const double y = std::copysign(1.0, offset) * x;
+  const auto near = static_cast<float>(y);
+  const float size = std::abs(near);
+  float out;
+  if (size > 0x1p-120f && size < 0x1p120f) [[likely]] {
+    const std::int32_t steps = 1 + static_cast<std::int32_t>(near < y);
+    const std::int32_t up = 1 - 2 * static_cast<std::int32_t>(std::signbit(near));
+    out = std::bit_cast<float>(std::bit_cast<std::int32_t>(near) + up * steps);
+  } else {
+    out = next_up(round_up(y));
+  }
+  return std::copysign(1.0f, static_cast<float>(offset)) * out;
+}
+
 }  // namespace
 
 Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
@@ -101,11 +123,7 @@ Vec3 leaving_origin(const Surface& surface, Vec3d direction) {
   const Vec3d offset = (side * reach) * surface.normal;
   const Vec3d moved = surface.point + offset;
   Vec3 origin;
-  for (int axis = 0; axis < 3; ++axis) {
-    origin[axis] = offset[axis] > 0.0   ? next_up(round_up(moved[axis]))
-                   : offset[axis] < 0.0 ? next_down(round_down(moved[axis]))
-                                        : static_cast<float>(moved[axis]);
-  }
+  for (int axis = 0; axis < 3; ++axis) origin[axis] = moved_out(moved[axis], offset[axis]);
   return origin;
 }
 
