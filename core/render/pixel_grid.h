@@ -50,16 +50,16 @@ class EyeRays {
   template <class Tracer, class Done>
   void shade(Shader<Tracer>& shader, const Done& done) {
     hits_.resize(rays_.size());
-    shader.eye_hits(rays_, hits_);
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
-      done(pixels_[i], shader.color(rays_[i], hits_[i]));
-    }
+    colors_.resize(rays_.size());
+    shader.trace(rays_, hits_, colors_);
+    for (std::size_t i = 0; i < rays_.size(); ++i) done(pixels_[i], colors_[i]);
   }
 
  private:
   std::vector<Ray> rays_;
   std::vector<std::size_t> pixels_;
   std::vector<Hit> hits_;
+  std::vector<Vec3> colors_;
 };
 
 /// The ray through a pixel's sample. See sample_pattern.h.

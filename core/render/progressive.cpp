@@ -76,7 +76,8 @@ class Progress {
   void trace_centre(Shader<CountTracer>& shader, int x, int y) {
     Hit hit;
     const std::size_t i = index(x, y);
-    frame_.color[i] = shader.eye_color(sample_ray(eye_, x, y, offsets_[0]), hit);
+    const Ray ray = sample_ray(eye_, x, y, offsets_[0]);
+    shader.trace({&ray, 1}, {&hit, 1}, {&frame_.color[i], 1});
     samples_.add(i, frame_.color[i]);
     frame_.distance[i] = static_cast<float>(hit.t);
     frame_.object[i] = hit.object;

@@ -17,8 +17,8 @@ std::uint64_t walk(const Tree& tree, Traversal traversal, const RecordedRay& rec
   return traverse(traversal, tree, recorded.ray, leaf, none);
 }
 
-/// Eye rays, which the accelerator takes together.
-std::uint64_t walk_eye_rays(const World& world, std::span<const RecordedRay> recorded,
+/// Rays that the accelerator takes together.
+std::uint64_t walk_together(const World& world, std::span<const RecordedRay> recorded,
                             Replay what) {
   std::vector<Ray> rays;
   std::vector<float> ends;
@@ -29,20 +29,25 @@ std::uint64_t walk_eye_rays(const World& world, std::span<const RecordedRay> rec
   return walk_together(world, rays, ends);
 }
 
-/// The same in the tree of the accelerator.
+std::uint64_t walk_alone(const World& world, const RecordedRay& ray, Replay what) {
+  if (what == Replay::enter) return walk_leaves(world, ray.ray, 0);
+  return ray.leaves == 0 ? 0 : walk_leaves(world, ray.ray, ray.leaves);
+}
+
+/// The same in the tree of the accelerator, where rays that were asked about together are one
+/// after the other.
 std::uint64_t walk_wide(const World& world, std::span<const RecordedRay> rays, Replay what) {
-  const auto is_eye_ray = [](const RecordedRay& one) { return one.kind == RayKind::primary; };
   std::uint64_t sum = 0;
   while (!rays.empty()) {
-    const auto behind = std::ranges::find_if_not(rays, is_eye_ray);
-    const auto eye_rays = rays.first(static_cast<std::size_t>(behind - rays.begin()));
-    if (!eye_rays.empty()) sum += walk_eye_rays(world, eye_rays, what);
-    rays = rays.subspan(eye_rays.size());
-    for (; !rays.empty() && !is_eye_ray(rays.front()); rays = rays.subspan(1)) {
-      const std::uint32_t leaves = rays.front().leaves;
-      if (what == Replay::walk && leaves == 0) continue;
-      sum += walk_leaves(world, rays.front().ray, what == Replay::walk ? leaves : 0);
+    const auto is_first = [](const RecordedRay& one) { return one.is_first; };
+    const auto behind = std::find_if(rays.begin() + 1, rays.end(), is_first);
+    const auto wave = rays.first(static_cast<std::size_t>(behind - rays.begin()));
+    if (go_together(wave.front().kind)) {
+      sum += walk_together(world, wave, what);
+    } else {
+      for (const RecordedRay& ray : wave) sum += walk_alone(world, ray, what);
     }
+    rays = rays.subspan(wave.size());
   }
   return sum;
 }

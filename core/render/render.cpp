@@ -111,6 +111,23 @@ Result<Image> trace_image(const Job& job, const MakeTracer& make_tracer, const D
   }
 }
 
+/// Each ray before all that it leads to, in the order in which they were sent.
+std::vector<PathRay> depth_first(std::span<const PathRay> rays) {
+  std::vector<std::vector<int>> sent(rays.size());
+  for (std::size_t i = 1; i < rays.size(); ++i) {
+    sent[static_cast<std::size_t>(rays[i].parent)].push_back(static_cast<int>(i));
+  }
+  std::vector<PathRay> ordered;
+  const auto add = [&](const auto& self, std::size_t ray, int parent) -> void {
+    const auto index = static_cast<int>(ordered.size());
+    ordered.push_back(rays[ray]);
+    ordered.back().parent = parent;
+    for (const int next : sent[ray]) self(self, static_cast<std::size_t>(next), index);
+  };
+  if (!rays.empty()) add(add, 0, -1);
+  return ordered;
+}
+
 int tiles_of(const RenderParams& params) {
   const int border = params.spd_rules ? 1 : 0;
   return tile_count(params.width + border, params.height + border);
@@ -177,9 +194,11 @@ std::vector<PathRay> trace_pixel(const World& world, const Camera& camera,
                                  const RenderParams& params, Vec2 pixel) {
   PathTracer tracer(world, trace_rules(params));
   Shader shader(world.scene, params, tracer);
+  const Ray ray = PrimaryRays(camera, params.width, params.height).ray(pixel.x, pixel.y);
   Hit hit;
-  shader.eye_color(PrimaryRays(camera, params.width, params.height).ray(pixel.x, pixel.y), hit);
-  return std::move(tracer.rays());
+  Vec3 color;
+  shader.trace({&ray, 1}, {&hit, 1}, {&color, 1});
+  return depth_first(tracer.rays());
 }
 
 }  // namespace bspview

@@ -6,13 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "core/render/render.h"
 #include "core/render/surface.h"
 
 namespace bspview {
 
-/// Colour along rays, recursively. Tracer: see tracer.h.
+/// What a tracer is told of a ray besides where it runs.
+struct RayRole {
+  RayKind kind = RayKind::primary;
+  int level = 1;    ///< of an eye ray 1, of others one more than that of the ray that sends them
+  int number = -1;  ///< counts the rays that are no shadow rays
+  int sender = -1;  ///< number of the ray that sends it; -1: the eye
+};
+
+/// Colour along rays. Rays of one level are traced together, all that a set of points sends to a
+/// light at once, so that a tracer can take many at a time. Tracer: see tracer.h.
 ///
 /// The weight of a ray is the product of the factors (Ks, T, or both together after total internal
 /// reflection) that scale its colour on the way back to the eye; it is 1 for the eye ray. With a
@@ -35,109 +45,186 @@ class Shader {
         intensity_(0.5f /
                    std::sqrt(std::max<float>(1.0f, static_cast<float>(scene.lights.size())))) {}
 
-  /// Colour seen along an eye ray; what it hit goes to `hit`.
-  Vec3 eye_color(const Ray& ray, Hit& hit) {
-    hit = tracer_.closest(ray, RayKind::primary, 1);
-    return color(ray, hit);
-  }
-
-  /// The same in two steps, for many rays: what eye rays hit, and the colour along one.
-  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) { tracer_.eye_hits(rays, hits); }
-  Vec3 color(const Ray& ray, const Hit& hit) {
-    return hit ? shade(ray, hit, {1, 1.0f}) : scene_.background;
+  /// What eye rays hit, and the colours along them.
+  void trace(std::span<const Ray> rays, std::span<Hit> hits, std::span<Vec3> colors) {
+    Wave wave;
+    for (const Ray& ray : rays) wave.add(ray, {RayKind::primary, 1, next_number_++}, {});
+    trace(wave);
+    std::ranges::copy(wave.hits, hits.begin());
+    std::ranges::copy(wave.colors, colors.begin());
   }
 
  private:
-  /// How a ray stands to the eye.
-  struct Path {
-    int level;
-    float weight;
+  /// Sent rays wait for more until there are as many, lest memory grow with their level.
+  static constexpr std::size_t many_rays = 256;
+
+  /// To which point a ray's colour goes.
+  struct Purpose {
+    std::size_t point = 0;
+    float share = 1.0f;   ///< of the ray's colour in that of the point
+    float weight = 1.0f;  ///< of the ray
   };
 
-  /// The colour times its `share` of the ray before, whose path is `path`.
-  Vec3 color_along(const Ray& ray, RayKind kind, Path path, float share) {
-    const Path next{path.level + 1, path.weight * share};
-    if (next.weight < cutoff_) return Vec3(0.0f);
-    const Hit hit = tracer_.closest(ray, kind, next.level);
-    return share * (hit ? shade(ray, hit, next) : scene_.background);
-  }
+  /// Rays of one level.
+  struct Wave {
+    std::vector<Ray> rays;
+    std::vector<RayRole> roles;
+    std::vector<Purpose> purposes;
+    std::vector<Hit> hits;
+    std::vector<Vec3> colors;
 
-  Vec3 shade(const Ray& ray, const Hit& hit, Path path) {
-    const Surface surface = surface_at(scene_, ray, hit);
-    const Vec3d view = glm::normalize(Vec3d(ray.direction));
-    Vec3 color = local_color(surface, view, path);
-    if (path.level < max_level_) color += secondary_color(surface, view, path);
-    return color;
-  }
-
-  /// Ambient, diffuse and highlight.
-  Vec3 local_color(const Surface& surface, Vec3d view, Path path) {
-    const Material& material = *surface.material;
-    Vec3 color = intensity_ * (material.diffuse * material.color);
-    if (material.diffuse <= 0.0f && material.specular <= 0.0f) return color;
-    const Vec3d mirrored = glm::reflect(view, surface.shading_normal);
-    for (const Light& light : scene_.lights) {
-      const Vec3d to_light = Vec3d(light.position) - surface.point;
-      const Vec3d way = glm::normalize(to_light);
-      const double cosine = glm::dot(surface.shading_normal, way);
-      if (!(cosine > 0.0) || glm::dot(surface.normal, way) <= 0.0) continue;
-      const double highlight = std::max(0.0, glm::dot(mirrored, way));
-      if (cutoff_ > 0.0f) [[unlikely]] {
-        const Vec3 share = light_share(material, light, cosine, highlight);
-        if (path.weight * std::max({share.x, share.y, share.z}) < cutoff_) continue;
-      }
-      if (!in_shadow(surface, light, path.level)) {
-        color += light_share(material, light, cosine, highlight);
-      }
+    void add(const Ray& ray, const RayRole& role, const Purpose& purpose) {
+      rays.push_back(ray);
+      roles.push_back(role);
+      purposes.push_back(purpose);
     }
-    return color;
+  };
+
+  /// Where a ray of a wave hit something.
+  struct Point {
+    std::size_t ray;  ///< in the wave
+    Surface surface;
+    Vec3d view;        ///< direction of the ray, of length 1
+    Vec3d mirrored;    ///< the view, reflected
+    Vec3 local, sent;  ///< colour by lights, and along the rays that the point sends
+  };
+
+  /// Points and the rays that hit them.
+  struct Lit {
+    const Wave& wave;
+    std::vector<Point> points;
+  };
+
+  void trace(Wave& wave) {
+    wave.hits.resize(wave.rays.size());
+    wave.colors.assign(wave.rays.size(), scene_.background);
+    tracer_.closest(wave.rays, wave.roles, wave.hits);
+    Lit lit{wave, {}};
+    for (std::size_t i = 0; i < wave.rays.size(); ++i) {
+      if (wave.hits[i]) lit.points.push_back(point_at(wave, i));
+    }
+    if (lit.points.empty()) return;
+    for (const Light& light : scene_.lights) add_light(lit, light);
+    if (wave.roles[0].level < max_level_) send_rays(lit);
+    for (const Point& point : lit.points) wave.colors[point.ray] = point.local + point.sent;
   }
 
-  /// Of the colour of a point that the light reaches; `cosine` is that of its angle to the normal,
-  /// `highlight` that of its angle to the mirrored view.
-  Vec3 light_share(const Material& material, const Light& light, double cosine,
-                   double highlight) const {
+  Point point_at(const Wave& wave, std::size_t ray) const {
+    const Surface surface = surface_at(scene_, wave.rays[ray], wave.hits[ray]);
+    const Material& material = *surface.material;
+    const Vec3d view = glm::normalize(Vec3d(wave.rays[ray].direction));
+    return {.ray = ray,
+            .surface = surface,
+            .view = view,
+            .mirrored = glm::reflect(view, surface.shading_normal),
+            .local = intensity_ * (material.diffuse * material.color),
+            .sent = Vec3(0.0f)};
+  }
+
+  /// A point that a light reaches if nothing is in the way.
+  struct Facing {
+    Point* point;
+    double cosine;     ///< of the angle of the light to the normal
+    double highlight;  ///< of its angle to the mirrored view
+  };
+
+  /// Diffuse light and highlights.
+  void add_light(Lit& lit, const Light& light) {
+    std::vector<Facing> all_facing;
+    std::vector<Ray> rays;
+    std::vector<RayRole> roles;
+    for (Point& point : lit.points) {
+      const Facing facing = face(point, light);
+      if (!(facing.cosine > 0.0)) continue;
+      if (cutoff_ > 0.0f) [[unlikely]] {
+        const Vec3 share = light_share(facing, light);
+        const float weight = lit.wave.purposes[point.ray].weight;
+        if (weight * std::max({share.x, share.y, share.z}) < cutoff_) continue;
+      }
+      const RayRole& sender = lit.wave.roles[point.ray];
+      all_facing.push_back(facing);
+      rays.push_back(shadow_ray(point.surface, light, offset_));
+      roles.push_back({RayKind::shadow, sender.level + 1, -1, sender.number});
+    }
+    std::vector<char> blocked(rays.size());
+    tracer_.occluded(rays, roles, blocked);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (!blocked[i]) all_facing[i].point->local += light_share(all_facing[i], light);
+    }
+  }
+
+  /// How a point stands to a light; a cosine of 0 where it turns its back to it or does not care.
+  static Facing face(Point& point, const Light& light) {
+    const Surface& surface = point.surface;
+    const Facing none{&point, 0.0, 0.0};
+    if (surface.material->diffuse <= 0.0f && surface.material->specular <= 0.0f) return none;
+    const Vec3d way = glm::normalize(Vec3d(light.position) - surface.point);
+    const double cosine = glm::dot(surface.shading_normal, way);
+    if (!(cosine > 0.0) || glm::dot(surface.normal, way) <= 0.0) return none;
+    return {&point, cosine, std::max(0.0, glm::dot(point.mirrored, way))};
+  }
+
+  /// Of the colour of a point that the light reaches.
+  Vec3 light_share(const Facing& facing, const Light& light) const {
+    const Material& material = *facing.point->surface.material;
     const Vec3 diffuse = material.diffuse * material.color;
     const float gloss =
         material.specular > 0.0f
-            ? material.specular * static_cast<float>(std::pow(highlight, material.shine))
+            ? material.specular * static_cast<float>(std::pow(facing.highlight, material.shine))
             : 0.0f;
-    return intensity_ * light.color * (static_cast<float>(cosine) * diffuse + Vec3(gloss));
-  }
-
-  bool in_shadow(const Surface& surface, const Light& light, int level) {
-    return tracer_.occluded(shadow_ray(surface, light, offset_), level);
+    return intensity_ * light.color * (static_cast<float>(facing.cosine) * diffuse + Vec3(gloss));
   }
 
   /// Reflection and refraction; a ray is sent only where its colour counts, or, under the SPD's
   /// rules, wherever they ask for one.
-  Vec3 secondary_color(const Surface& surface, Vec3d view, Path path) {
-    const Material& material = *surface.material;
+  void send_rays(Lit& lit) {
+    Wave next;
+    for (std::size_t i = 0; i < lit.points.size(); ++i) {
+      send_rays(lit, i, next);
+      if (next.rays.size() >= many_rays) collect(lit, next);
+    }
+    collect(lit, next);
+  }
+
+  void send_rays(const Lit& lit, std::size_t index, Wave& next) {
+    const Point& point = lit.points[index];
+    const Material& material = *point.surface.material;
     const bool transparent = material.transmittance > 0.0f;
-    if (!(material.specular > 0.0f) && !transparent) return Vec3(0.0f);
-    Vec3 color(0.0f);
+    if (!(material.specular > 0.0f) && !transparent) return;
+    const RayRole& sender = lit.wave.roles[point.ray];
+    const float weight = lit.wave.purposes[point.ray].weight;
+    const auto send = [&](RayKind kind, Vec3d direction, float share) {
+      if (weight * share < cutoff_) return;
+      next.add(leaving_ray(point.surface, direction, offset_),
+               {kind, sender.level + 1, next_number_++, sender.number},
+               {index, share, weight * share});
+    };
     float reflectance = material.specular;
     if (transparent) {
-      if (const auto direction = refracted(surface, view)) {
-        color += color_along(leaving_ray(surface, *direction, offset_), RayKind::refracted, path,
-                             material.transmittance);
+      if (const auto direction = refracted(point.surface, point.view)) {
+        send(RayKind::refracted, *direction, material.transmittance);
       } else {
         reflectance += material.transmittance;  // total internal reflection
       }
     }
-    if (reflectance > 0.0f || every_ray_) {
-      const Vec3d direction = reflected(surface, view);
-      color += color_along(leaving_ray(surface, direction, offset_), RayKind::reflected, path,
-                           reflectance);
+    if (reflectance > 0.0f || every_ray_) send(RayKind::reflected, reflected(point), reflectance);
+  }
+
+  /// Traces what was sent, and gives the points their colours.
+  void collect(Lit& lit, Wave& sent) {
+    if (sent.rays.empty()) return;
+    trace(sent);
+    for (std::size_t i = 0; i < sent.rays.size(); ++i) {
+      const Purpose& purpose = sent.purposes[i];
+      lit.points[purpose.point].sent += purpose.share * sent.colors[i];
     }
-    return color;
+    sent = {};
   }
 
   /// About the shading normal, unless that would lead below the surface.
-  static Vec3d reflected(const Surface& surface, Vec3d view) {
-    const Vec3d smooth = glm::reflect(view, surface.shading_normal);
-    if (glm::dot(smooth, surface.normal) > 0.0) return smooth;
-    return glm::reflect(view, surface.normal);
+  static Vec3d reflected(const Point& point) {
+    if (glm::dot(point.mirrored, point.surface.normal) > 0.0) return point.mirrored;
+    return glm::reflect(point.view, point.surface.normal);
   }
 
   /// Snell's law; nullopt at total internal reflection.
@@ -157,6 +244,7 @@ class Shader {
   OffsetRule offset_;
   float cutoff_;
   float intensity_;  // of each light and of the ambient light
+  int next_number_ = 0;
 };
 
 }  // namespace bspview

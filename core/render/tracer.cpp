@@ -2,36 +2,64 @@
 
 namespace bspview {
 
-PathRay& PathTracer::start(const Ray& ray, RayKind kind, int level) {
-  last_at_level_.resize(static_cast<std::size_t>(level) + 1, -1);
+void RecordTracer::closest(std::span<const Ray> rays, std::span<const RayRole> roles,
+                           std::span<Hit> hits) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    RayCost cost;
+    CountObserver count(cost);
+    hits[i] = trace_closest(world_, rays[i], rules_, count);
+    const float end = hits[i] ? static_cast<float>(hits[i].t) : rays[i].t_max;
+    rays_.push_back({rays[i], leaves_of(rays[i], cost, false), end, roles[i].kind, i == 0});
+  }
+}
+
+void RecordTracer::occluded(std::span<const Ray> rays, std::span<const RayRole> roles,
+                            std::span<char> blocked) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    RayCost cost;
+    CountObserver count(cost);
+    const Ray& ray = rays[i];
+    const std::uint32_t blocker = trace_any(world_, ray, rules_, count);
+    blocked[i] = blocker != no_index;
+    float end = ray.t_max;
+    if (blocked[i]) {
+      const RayQuery query = ExactShapes::query(world_, ray);
+      end = static_cast<float>(hit_object(world_.scene, blocker, query, rules_.shadow_sides));
+    }
+    rays_.push_back({ray, leaves_of(ray, cost, true), end, roles[i].kind, i == 0});
+  }
+}
+
+PathRay& PathOne::start(const Ray& ray, const RayRole& role) {
   PathRay path;
-  path.kind = kind;
-  path.level = level;
-  path.parent = last_at_level_[static_cast<std::size_t>(level) - 1];
+  path.kind = role.kind;
+  path.level = role.level;
+  path.parent = role.sender < 0 ? -1 : index_of_[static_cast<std::size_t>(role.sender)];
   path.ray = ray;
   rays_.push_back(path);
   return rays_.back();
 }
 
-Hit PathTracer::closest(const Ray& ray, RayKind kind, int level) {
-  PathRay& path = start(ray, kind, level);
+Hit PathOne::closest(const Ray& ray, const RayRole& role) {
+  PathRay& path = start(ray, role);
   LogObserver log(path.log);
   const Hit hit = trace_closest(world_, ray, rules_, log);
   path.object = hit.object;
   path.t = hit.t;
-  last_at_level_[static_cast<std::size_t>(level)] = static_cast<int>(rays_.size()) - 1;
+  index_of_.resize(static_cast<std::size_t>(role.number) + 1);
+  index_of_.back() = static_cast<int>(rays_.size()) - 1;
   return hit;
 }
 
-bool PathTracer::occluded(const Ray& ray, int level) {
-  PathRay& path = start(ray, RayKind::shadow, level + 1);
+bool PathOne::occluded(const Ray& ray, const RayRole& role) {
+  PathRay& path = start(ray, role);
   LogObserver log(path.log);
   path.object = trace_any(world_, ray, rules_, log);
   if (path.object != no_index) path.t = path.log.tests.back().t;
   return path.object != no_index;
 }
 
-double ReferenceTracer::hit(std::uint32_t id, const RayQuery& ray, SideRule sides) const {
+double ReferenceOne::hit(std::uint32_t id, const RayQuery& ray, SideRule sides) const {
   const Object& object = scene_.objects[id];
   if (object.kind != ObjectKind::triangle) return hit_object(scene_, id, ray, sides);
   const Face& face = scene_.faces[object.shape];
@@ -39,7 +67,7 @@ double ReferenceTracer::hit(std::uint32_t id, const RayQuery& ray, SideRule side
                              visible_sides(scene_, object, sides));
 }
 
-Hit ReferenceTracer::closest(const Ray& ray, RayKind, int) {
+Hit ReferenceOne::closest(const Ray& ray, const RayRole&) {
   const RayQuery query(ray);
   Hit best;
   for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
@@ -49,7 +77,7 @@ Hit ReferenceTracer::closest(const Ray& ray, RayKind, int) {
   return best;
 }
 
-bool ReferenceTracer::occluded(const Ray& ray, int) {
+bool ReferenceOne::occluded(const Ray& ray, const RayRole&) {
   const RayQuery query(ray);
   for (std::uint32_t id = 0; id < scene_.objects.size(); ++id) {
     if (hit(id, query, rules_.shadow_sides) != no_hit) return true;

@@ -1,23 +1,35 @@
 #pragma once
 
-// Tracers answer the questions of the shader, eye_hits, closest and occluded, and differ in what
-// they keep: nothing, counts, the rays, or every step.
+// Tracers answer the questions of the shader, closest and occluded, about many rays at a time, and
+// differ in what they keep: nothing, counts, the rays, or every step.
 
 #include <vector>
 
 #include "core/render/hits.h"
 #include "core/render/ray_counts.h"
 #include "core/render/render.h"
+#include "core/render/shade.h"
 #include "core/render/trace.h"
 
 namespace bspview {
 
-/// eye_hits of tracers that take one ray after the other.
-template <class Tracer>
-void find_eye_hits(Tracer& tracer, std::span<const Ray> rays, std::span<Hit> hits) {
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    hits[i] = tracer.closest(rays[i], RayKind::primary, 1);
+/// Asks one ray after the other. One: has Hit closest(ray, role) and bool occluded(ray, role).
+template <class One>
+class OneByOne : public One {
+ public:
+  using One::One;
+  void closest(std::span<const Ray> rays, std::span<const RayRole> roles, std::span<Hit> hits) {
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = One::closest(rays[i], roles[i]);
   }
+  void occluded(std::span<const Ray> rays, std::span<const RayRole> roles,
+                std::span<char> blocked) {
+    for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = One::occluded(rays[i], roles[i]);
+  }
+};
+
+/// Whether the rays of a kind are traced together where the accelerator is used.
+inline bool go_together(RayKind kind) {
+  return kind == RayKind::primary || kind == RayKind::shadow;
 }
 
 /// Keeps nothing: the timed path.
@@ -25,44 +37,52 @@ class PlainTracer {
  public:
   PlainTracer(const World& world, const TraceRules& rules)
       : world_(world), rules_(rules), is_fast_(bspview::is_fast(world, rules)) {}
-  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
-    if (is_fast_) return closest_hits(world_, rays, rules_.sides, hits);
-    find_eye_hits(*this, rays, hits);
+  void closest(std::span<const Ray> rays, std::span<const RayRole> roles, std::span<Hit> hits) {
+    if (is_fast_ && go_together(roles[0].kind)) {
+      return closest_hits(world_, rays, rules_.sides, hits);
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest(rays[i]);
   }
-  Hit closest(const Ray& ray, RayKind, int) {
+  void occluded(std::span<const Ray> rays, std::span<const RayRole>, std::span<char> blocked) {
+    if (is_fast_) {
+      blockers_.resize(rays.size());
+      any_hits(world_, rays, rules_.shadow_sides, blockers_);
+      for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = blockers_[i] != no_index;
+      return;
+    }
+    NoObserver none;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      blocked[i] = trace_any(world_, rays[i], rules_, none) != no_index;
+    }
+  }
+
+ private:
+  Hit closest(const Ray& ray) const {
     if (is_fast_) return fast_closest_hit(world_, ray, rules_.sides);
     NoObserver none;
     return trace_closest(world_, ray, rules_, none);
   }
-  bool occluded(const Ray& ray, int) {
-    if (is_fast_) return fast_any_hit(world_, ray, rules_.shadow_sides) != no_index;
-    NoObserver none;
-    return trace_any(world_, ray, rules_, none) != no_index;
-  }
 
- private:
   World world_;
   TraceRules rules_;
   bool is_fast_;
+  std::vector<std::uint32_t> blockers_;
 };
 
 /// Counts rays, visits and tests.
-class CountTracer {
+class CountOne {
  public:
-  CountTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
-  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
-    find_eye_hits(*this, rays, hits);
-  }
-  Hit closest(const Ray& ray, RayKind kind, int) {
+  CountOne(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  Hit closest(const Ray& ray, const RayRole& role) {
     CountObserver count(cost_);
     const Hit hit = trace_closest(world_, ray, rules_, count);
-    counts_.add_ray(kind, static_cast<bool>(hit));
+    counts_.add_ray(role.kind, static_cast<bool>(hit));
     return hit;
   }
-  bool occluded(const Ray& ray, int) {
+  bool occluded(const Ray& ray, const RayRole& role) {
     CountObserver count(cost_);
     const bool hit = trace_any(world_, ray, rules_, count) != no_index;
-    counts_.add_ray(RayKind::shadow, hit);
+    counts_.add_ray(role.kind, hit);
     return hit;
   }
   RayCounts counts() const {
@@ -79,6 +99,7 @@ class CountTracer {
   RayCost cost_;
   RayCounts counts_;
 };
+using CountTracer = OneByOne<CountOne>;
 
 /// A ray of a picture and how far it walked.
 struct RecordedRay {
@@ -86,30 +107,15 @@ struct RecordedRay {
   std::uint32_t leaves = 0;  ///< of the binary or the wide tree, visited until the walk ended
   float end = 0.0f;          ///< t of what it hit, else t_max
   RayKind kind = RayKind::primary;
+  bool is_first = false;  ///< of those that were asked about together
 };
 
 /// Records every ray.
 class RecordTracer {
  public:
   RecordTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
-  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
-    find_eye_hits(*this, rays, hits);
-  }
-  Hit closest(const Ray& ray, RayKind kind, int) {
-    RayCost cost;
-    CountObserver count(cost);
-    const Hit hit = trace_closest(world_, ray, rules_, count);
-    const float end = hit ? static_cast<float>(hit.t) : ray.t_max;
-    rays_.push_back({ray, leaves_of(ray, cost, false), end, kind});
-    return hit;
-  }
-  bool occluded(const Ray& ray, int) {
-    RayCost cost;
-    CountObserver count(cost);
-    const bool hit = trace_any(world_, ray, rules_, count) != no_index;
-    rays_.push_back({ray, leaves_of(ray, cost, true), ray.t_max, RayKind::shadow});
-    return hit;
-  }
+  void closest(std::span<const Ray> rays, std::span<const RayRole> roles, std::span<Hit> hits);
+  void occluded(std::span<const Ray> rays, std::span<const RayRole> roles, std::span<char> blocked);
   std::vector<RecordedRay>& rays() { return rays_; }
 
  private:
@@ -124,48 +130,46 @@ class RecordTracer {
 };
 
 /// Keeps every ray with its walk, for one pixel.
-class PathTracer {
+class PathOne {
  public:
-  PathTracer(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
-  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
-    find_eye_hits(*this, rays, hits);
-  }
-  Hit closest(const Ray& ray, RayKind kind, int level);
-  bool occluded(const Ray& ray, int level);
-  std::vector<PathRay>& rays() { return rays_; }
+  PathOne(const World& world, const TraceRules& rules) : world_(world), rules_(rules) {}
+  Hit closest(const Ray& ray, const RayRole& role);
+  bool occluded(const Ray& ray, const RayRole& role);
+  /// Senders come before what they send.
+  const std::vector<PathRay>& rays() const { return rays_; }
 
  private:
-  PathRay& start(const Ray& ray, RayKind kind, int level);
+  PathRay& start(const Ray& ray, const RayRole& role);
 
   World world_;
   TraceRules rules_;
   std::vector<PathRay> rays_;
-  std::vector<int> last_at_level_;  // index of the last ray that is no shadow ray; index: level
+  std::vector<int> index_of_;  // by number of the ray
 };
+using PathTracer = OneByOne<PathOne>;
 
 /// Asks a kernel that is not known here.
 class KernelTracer {
  public:
   explicit KernelTracer(const RayKernel& kernel) : kernel_(kernel) {}
-  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
-    kernel_.eye_hits(rays, hits);
+  void closest(std::span<const Ray> rays, std::span<const RayRole> roles, std::span<Hit> hits) {
+    if (roles[0].kind == RayKind::primary) return kernel_.eye_hits(rays, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = kernel_.closest(rays[i]);
   }
-  Hit closest(const Ray& ray, RayKind, int) { return kernel_.closest(ray); }
-  bool occluded(const Ray& ray, int) { return kernel_.is_occluded(ray); }
+  void occluded(std::span<const Ray> rays, std::span<const RayRole>, std::span<char> blocked) {
+    for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = kernel_.is_occluded(rays[i]);
+  }
 
  private:
   const RayKernel& kernel_;
 };
 
 /// Every object, in double: what pictures are checked against.
-class ReferenceTracer {
+class ReferenceOne {
  public:
-  ReferenceTracer(const Scene& scene, const TraceRules& rules) : scene_(scene), rules_(rules) {}
-  void eye_hits(std::span<const Ray> rays, std::span<Hit> hits) {
-    find_eye_hits(*this, rays, hits);
-  }
-  Hit closest(const Ray& ray, RayKind, int);
-  bool occluded(const Ray& ray, int level);
+  ReferenceOne(const Scene& scene, const TraceRules& rules) : scene_(scene), rules_(rules) {}
+  Hit closest(const Ray& ray, const RayRole&);
+  bool occluded(const Ray& ray, const RayRole&);
 
  private:
   double hit(std::uint32_t object, const RayQuery& ray, SideRule sides) const;
@@ -173,5 +177,6 @@ class ReferenceTracer {
   const Scene& scene_;
   TraceRules rules_;
 };
+using ReferenceTracer = OneByOne<ReferenceOne>;
 
 }  // namespace bspview
