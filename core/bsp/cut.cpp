@@ -34,6 +34,8 @@ bool reaches_maximal_depth(const Tree& tree) {
 
 /// Whether the limits in `params` stop the builder nowhere later than those of `whole`.
 bool is_within(const Tree& whole, const BuildParams& params) {
+  // The whole tree then does not know what testing the objects costs.
+  if (whole.params.cost_intersection && !params.cost_intersection) return false;
   if (is_part(params, whole.params, whole.object_count)) return true;
   BuildParams deeper = whole.params;
   deeper.max_depth = depth_cap;
@@ -87,6 +89,8 @@ std::optional<Tree> regrow(const MaximalTree& whole, const BuildParams& params) 
             .object_count = uncut.object_count,
             .params = params,
             .max_depth = effective_depth(params, uncut.object_count),
+            .cost_intersection =
+                static_cast<float>(cost_model(params, uncut.cost_intersection).intersection),
             .naive = uncut.naive};
   Regrowth(whole, tree).grow_root();
   // A lone root and the naive list are made whatever they take.

@@ -37,6 +37,7 @@ void expect_cut_is_rebuilt(const BuildInput& input, const MaximalTree& whole,
   EXPECT_EQ(part->object_count, rebuilt->object_count);
   EXPECT_EQ(part->params, rebuilt->params);
   EXPECT_EQ(part->max_depth, rebuilt->max_depth);
+  EXPECT_EQ(part->cost_intersection, rebuilt->cost_intersection);
   EXPECT_EQ(part->naive, rebuilt->naive);
 }
 

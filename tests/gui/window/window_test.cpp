@@ -38,7 +38,8 @@ std::size_t files_in(const std::filesystem::path& folder) {
 }
 
 TEST(Window, AUserDragsASliderPicksAPixelAndDropsFiles) {
-  StagePlay play({"spd:tetra:3", "--size", "960x600"});
+  // Tests that cost more make leaves so small that a larger leaf size joins them.
+  StagePlay play({"spd:tetra:3", "--cost-intersection", "1.5", "--size", "960x600"});
   ASSERT_TRUE(play.client().connected()) << "Xvfb does not start";
   ASSERT_TRUE(play.wait_until_idle()) << play.output();
   focus(play);
