@@ -7,7 +7,9 @@
 
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
+#include "core/render/hit_bounds.h"
 #include "core/render/lazy_part.h"
+#include "core/render/part_boxes.h"
 
 namespace bspview {
 namespace {
@@ -19,111 +21,12 @@ bool is_triangle(const Scene& scene, std::uint32_t object) {
   return scene.objects[object].kind == ObjectKind::triangle;
 }
 
-/// How far what counts as a hit may lie beside an object's box. Triangles are decided exactly; the
-/// tests of round shapes round, and polygons are met where their vertices are off their plane.
-float margin_around(const Scene& scene, std::uint32_t id, const Aabb& box) {
-  const Object& object = scene.objects[id];
-  if (object.kind == ObjectKind::triangle) return 0.0f;
-  const Vec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  const float rounding = 0x1p-23f * largest_component(far);
-  if (object.kind != ObjectKind::polygon) return rounding;
-  const PolygonPlane& plane = scene.planes[scene.faces[object.shape].plane];
-  const Vec3d slopes = glm::abs(plane.normal);
-  return rounding +
-         static_cast<float>(2.0 * plane.thickness / std::max({slopes.x, slopes.y, slopes.z}));
-}
-
-Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
-  const Aabb box = object_bounds(scene, id);
-  if (box.empty()) return box;
-  const float margin = margin_around(scene, id, box);
-  return margin > 0.0f ? Aabb{box.lo - margin, box.hi + margin} : box;
-}
-
-/// What rays can hit of a part of an object.
-Aabb hit_bounds(const Scene& scene, const ObjectPart& part) {
-  const float margin = margin_around(scene, part.object, part.box);
-  return {part.box.lo - margin, part.box.hi + margin};
-}
-
 /// What rays can hit of the objects in a leaf that was put off, in its cell.
 Aabb hit_bounds(const Scene& scene, const LazyPart& part) {
   Aabb box;
   for (const ObjectPart& object : part.objects()) box.grow(hit_bounds(scene, object));
   return intersection(box, part.place().cell);
 }
-
-/// Boxes around few objects, as they come: rays that are few do not pay for better ones.
-class PartBoxes {
- public:
-  PartBoxes(const Scene& scene, std::span<const ObjectPart> parts) {
-    for (const ObjectPart& part : parts) {
-      if (is_triangle(scene, part.object)) add(part.object, part.box, TriangleBlock::width);
-    }
-    for (const ObjectPart& part : parts) {
-      if (!is_triangle(scene, part.object)) add(part.object, hit_bounds(scene, part), 1);
-    }
-  }
-
-  const WideLeaves& leaves() const { return leaves_; }
-
-  /// Of leaves by their number.
-  RawVector<WideNode> make_nodes() {
-    RawVector<WideNode> nodes(1);  // the root, which is known last
-    while (children_.size() > WideNode::width) {
-      std::vector<Child> parents;
-      for (std::size_t i = 0; i < children_.size(); i += WideNode::width) {
-        parents.push_back(add_node(i, nodes));
-      }
-      children_ = std::move(parents);
-    }
-    nodes[0] = node_of(children_);
-    return nodes;
-  }
-
- private:
-  struct Child {
-    Aabb box;
-    std::uint32_t name;
-  };
-
-  /// To the last leaf, while that has fewer than `most` objects.
-  void add(std::uint32_t object, const Aabb& box, std::uint32_t most) {
-    if (leaves_.ranges.empty() || leaves_.ranges.back().count >= most) {
-      const auto leaf = static_cast<std::uint32_t>(leaves_.ranges.size());
-      leaves_.ranges.push_back({static_cast<std::uint32_t>(leaves_.objects.size()), 0});
-      children_.push_back({{}, WideNode::leaf_bit | leaf});
-    }
-    leaves_.objects.push_back(object);
-    ++leaves_.ranges.back().count;
-    children_.back().box.grow(box);
-  }
-
-  Child add_node(std::size_t first, RawVector<WideNode>& nodes) const {
-    const std::size_t count = std::min<std::size_t>(WideNode::width, children_.size() - first);
-    const auto children = std::span(children_).subspan(first, count);
-    Child parent{{}, static_cast<std::uint32_t>(nodes.size())};
-    for (const Child& child : children) parent.box.grow(child.box);
-    nodes.push_back(node_of(children));
-    return parent;
-  }
-
-  static WideNode node_of(std::span<const Child> children) {
-    WideNode node{};
-    for (std::size_t slot = 0; slot < WideNode::width; ++slot) {
-      const Child child = slot < children.size() ? children[slot] : Child{{}, 0};
-      for (int axis = 0; axis < 3; ++axis) {
-        node.bounds[2 * axis][slot] = child.box.lo[axis];
-        node.bounds[2 * axis + 1][slot] = child.box.hi[axis];
-      }
-      node.child[slot] = child.name;
-    }
-    return node;
-  }
-
-  WideLeaves leaves_;
-  std::vector<Child> children_;
-};
 
 /// A tree whose objects are numbered from 0 on, so that few take little room; each leaf that was
 /// put off holds one object more.

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/bsp/deferred_leaf.h"
+#include "core/scene/scene.h"
+
+namespace bspview {
+
+// Boxes of what rays can hit of an object, or of a part of it: a little more than the object where
+// its test rounds.
+Aabb hit_bounds(const Scene& scene, std::uint32_t id);
+Aabb hit_bounds(const Scene& scene, const ObjectPart& part);
+
+}  // namespace bspview
