@@ -48,28 +48,15 @@ class NodeCells {
   int size_ = 0;
 };
 
-void set_bounds(WideNode& node, int slot, const Aabb& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    node.bounds[2 * axis][slot] = box.lo[axis];
-    node.bounds[2 * axis + 1][slot] = box.hi[axis];
-  }
-}
-
 bool is_used(const WideNode& node, int slot) {
   return node.bounds[0][slot] <= node.bounds[1][slot];
 }
 
-WideNode without_cells() {
-  WideNode node{};
-  for (int slot = 0; slot < WideNode::width; ++slot) set_bounds(node, slot, {});
-  return node;
-}
-
 /// A node with nothing but the bounds of its cells.
 WideNode make_node(const JoinedTree& tree, const NodeCells& cells) {
-  WideNode node = without_cells();
+  WideNode node = WideNode::without_cells();
   for (int slot = 0; slot < cells.size(); ++slot) {
-    set_bounds(node, slot, tree.nodes[cells[slot]].box);
+    node.set_bounds(slot, tree.nodes[cells[slot]].box);
   }
   return node;
 }
@@ -141,7 +128,7 @@ class Widener {
     if (!tree_.nodes.empty()) {
       plan_lone(static_cast<std::uint32_t>(tree_.nodes.size() - 1));
     } else {
-      pieces_.push_back({.is_lone = true, .nodes = {without_cells()}});
+      pieces_.push_back({.is_lone = true, .nodes = {WideNode::without_cells()}});
     }
   }
 

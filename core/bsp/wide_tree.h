@@ -18,6 +18,18 @@ struct alignas(64) WideNode {
 
   float bounds[6][width];      ///< rows: lo and hi of x, of y, of z
   std::uint32_t child[width];  ///< index of a node, or leaf_bit and the name of a leaf
+
+  void set_bounds(int slot, const Aabb& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      bounds[2 * axis][slot] = box.lo[axis];
+      bounds[2 * axis + 1][slot] = box.hi[axis];
+    }
+  }
+  static WideNode without_cells() {
+    WideNode node{};
+    for (int slot = 0; slot < width; ++slot) node.set_bounds(slot, {});
+    return node;
+  }
 };
 
 /// A BSP tree in nodes of eight cells, for rays that test them all at once: what a ray does in

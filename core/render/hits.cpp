@@ -32,23 +32,13 @@ HWY_INLINE Hit find_alone(const World& world, const Ray& ray, SideRule rule) {
   return SingleRay<any>(world, ray, rule).trace([] {});
 }
 
-/// Fewer rays than this are faster one by one.
-constexpr int fewest_together = 3;
-
 /// Traces up to lane_count() rays; found(i, hit) takes the answers.
 template <bool any, class Found>
 void trace_some(Packet& packet, const World& world, std::span<const Ray> rays, SideRule rule,
                 const Found& found) {
   unsigned together = packet.load_rays(rays);
-  for (unsigned open = together; open != 0;) {
-    const Packet::Class next = packet.class_among(open);
-    open &= ~next.lanes;
-    if (hwy::PopCount(next.lanes) < fewest_together) {
-      together &= ~next.lanes;
-    } else {
-      packet.trace<any>(next);
-    }
-  }
+  together &=
+      ~packet.for_each_class(together, [&](const Packet::Class& some) { packet.trace<any>(some); });
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const bool is_done = together >> i & 1u;
     found(i, is_done ? packet.best(static_cast<int>(i)) : find_alone<any>(world, rays[i], rule));
@@ -118,16 +108,9 @@ std::uint64_t walk_alone(const World& world, const Ray& ray, float end) {
 std::uint64_t walk_some(Packet& packet, const World& world, std::span<const Ray> rays,
                         std::span<const float> ends) {
   std::uint64_t sum = 0;
-  unsigned alone = 0, open = packet.load_rays(rays);
-  while (open != 0) {
-    const Packet::Class next = packet.class_among(open);
-    open &= ~next.lanes;
-    if (hwy::PopCount(next.lanes) < fewest_together) {
-      alone |= next.lanes;
-    } else {
-      sum += packet.walk(next, ends);
-    }
-  }
+  const unsigned open = packet.load_rays(rays);
+  unsigned alone = packet.for_each_class(
+      open, [&](const Packet::Class& some) { sum += packet.walk(some, ends); });
   while (alone != 0 && !ends.empty()) {
     const auto i = static_cast<std::size_t>(take_lane(alone));
     sum += walk_alone(world, rays[i], ends[i]);

@@ -69,6 +69,24 @@ class Packet {
     int main_axis;
     unsigned negative;  ///< bit axis
   };
+  /// Calls work(rays) for the classes of `lanes` that are worth it; answers the lanes of the
+  /// others.
+  template <class Work>
+  unsigned for_each_class(unsigned lanes, const Work& work) const {
+    constexpr int fewest = 3;  // fewer are faster one by one
+    unsigned alone = 0;
+    while (lanes != 0) {
+      const Class next = class_among(lanes);
+      lanes &= ~next.lanes;
+      if (hwy::PopCount(next.lanes) < fewest) {
+        alone |= next.lanes;
+      } else {
+        work(next);
+      }
+    }
+    return alone;
+  }
+
   /// The class of the lowest of `lanes`.
   Class class_among(unsigned lanes) const {
     const int lowest = __builtin_ctz(lanes);

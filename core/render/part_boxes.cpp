@@ -59,13 +59,10 @@ PartBoxes::Child PartBoxes::add_node(std::size_t first, RawVector<WideNode>& nod
 }
 
 WideNode PartBoxes::node_of(std::span<const Child> children) {
-  WideNode node{};
-  for (std::size_t slot = 0; slot < WideNode::width; ++slot) {
-    const Child child = slot < children.size() ? children[slot] : Child{{}, 0};
-    for (int axis = 0; axis < 3; ++axis) {
-      node.bounds[2 * axis][slot] = child.box.lo[axis];
-      node.bounds[2 * axis + 1][slot] = child.box.hi[axis];
-    }
+  WideNode node = WideNode::without_cells();
+  for (int slot = 0; slot < static_cast<int>(children.size()); ++slot) {
+    const Child& child = children[static_cast<std::size_t>(slot)];
+    node.set_bounds(slot, child.box);
     node.child[slot] = child.name;
   }
   return node;

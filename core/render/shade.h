@@ -96,6 +96,7 @@ class Shader {
   };
 
   void trace(Wave& wave) {
+    if (wave.rays.empty()) return;
     wave.hits.resize(wave.rays.size());
     wave.colors.assign(wave.rays.size(), scene_.background);
     tracer_.closest(wave.rays, wave.roles, wave.hits);
@@ -212,7 +213,6 @@ class Shader {
 
   /// Traces what was sent, and gives the points their colours.
   void collect(Lit& lit, Wave& sent) {
-    if (sent.rays.empty()) return;
     trace(sent);
     for (std::size_t i = 0; i < sent.rays.size(); ++i) {
       const Purpose& purpose = sent.purposes[i];

@@ -28,32 +28,18 @@ HWY_INLINE bool is_plain(const Ray& ray) {
 }
 
 /// What triangles need of a ray, with the names of RayQuery: most rays need no more of it.
-struct TriangleRay {
+struct TriangleRay : RayShear {
   HWY_INLINE TriangleRay(const Ray& ray, float reach)
-      : wide_origin(ray.origin),
+      : RayShear(ray),
+        wide_origin(ray.origin),
         wide_direction(ray.direction),
         t_min(ray.t_min),
         t_max(ray.t_max),
-        reach_error(reach * unit_roundoff) {
-    // Without a branch, which no predictor could tell.
-    const Vec3 sizes = magnitudes(ray.direction);
-    const int xy = static_cast<int>(!(sizes.x > sizes.y));
-    const int is_z = static_cast<int>(!(std::max(sizes.x, sizes.y) > sizes.z));
-    constexpr int next[] = {1, 2, 0};
-    kz = is_z * 2 + (1 - is_z) * xy;
-    kx = next[kz];
-    ky = next[kx];
-    turned = {component(ray.origin, kx), component(ray.origin, ky), component(ray.origin, kz)};
-    shear_x = component(ray.direction, kx) / component(ray.direction, kz);
-    shear_y = component(ray.direction, ky) / component(ray.direction, kz);
-  }
+        reach_error(reach * unit_roundoff) {}
 
   Vec3d wide_origin, wide_direction;
   double t_min, t_max;
   float reach_error;
-  int kx, ky, kz;
-  Vec3 turned;
-  float shear_x, shear_y;
 };
 
 /// One ray on its way.

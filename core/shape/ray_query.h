@@ -17,15 +17,38 @@ inline constexpr double no_hit = std::numeric_limits<double>::infinity();
 /// counter-clockwise; of a sphere or cone the outside, or with negative radii the inside.
 enum class Sides { both, front };
 
+/// How a ray runs beside the axis of its largest component, kz; the other two are kx and ky.
+struct RayShear {
+  RayShear() = default;
+  explicit RayShear(const Ray& ray) {
+    // Without a branch, which no predictor could tell.
+    const Vec3 sizes = magnitudes(ray.direction);
+    const int xy = static_cast<int>(!(sizes.x > sizes.y));
+    const int is_z = static_cast<int>(!(std::max(sizes.x, sizes.y) > sizes.z));
+    constexpr int next[] = {1, 2, 0};
+    kz = is_z * 2 + (1 - is_z) * xy;
+    kx = next[kz];
+    ky = next[kx];
+    turned = {component(ray.origin, kx), component(ray.origin, ky), component(ray.origin, kz)};
+    shear_x = component(ray.direction, kx) / component(ray.direction, kz);
+    shear_y = component(ray.direction, ky) / component(ray.direction, kz);
+  }
+
+  int kx, ky, kz;
+  Vec3 turned;  ///< the origin's components kx, ky, kz
+  float shear_x, shear_y;
+};
+
 /// A ray with what every shape test needs, computed once. The tests answer with the t of the hit,
 /// in units of the ray's direction, t_min < t < t_max, or with no_hit.
-struct RayQuery {
+struct RayQuery : RayShear {
   /// `reach` bounds |p - origin| on every axis for every vertex p the ray will be tested against;
   /// without it no rounding can be bounded and every test is decided exactly, slowly. A ray that
   /// meets no triangle saves the divisions of the shear.
   explicit RayQuery(const Ray& ray, float reach = std::numeric_limits<float>::infinity(),
                     bool meets_triangles = true)
-      : origin(ray.origin),
+      : RayShear(meets_triangles ? RayShear(ray) : RayShear()),
+        origin(ray.origin),
         direction(ray.direction),
         wide_origin(ray.origin),
         wide_direction(ray.direction),
@@ -34,9 +57,7 @@ struct RayQuery {
         t_min(ray.t_min),
         t_max(ray.t_max),
         reach_error(reach * unit_roundoff),
-        size(largest_component(magnitudes(direction))) {
-    if (meets_triangles) find_shear();
-  }
+        size(largest_component(magnitudes(direction))) {}
 
   /// `point` seen along the ray: the ray itself is the origin of the plane. Rounding moves it by
   /// less than 8 reach_error on either axis: one unit for each difference of coordinates, three
@@ -54,22 +75,6 @@ struct RayQuery {
   double t_min, t_max;
   float reach_error;  ///< reach x unit round-off
   float size;         ///< of the largest component of the direction
-  // Triangles only.
-  int kx, ky, kz;  ///< kz: axis of the largest component of the direction
-  Vec3 turned;     ///< the origin's components kx, ky, kz
-  float shear_x, shear_y;
-
- private:
-  void find_shear() {
-    const Vec3 sizes = magnitudes(direction);
-    kz = sizes.x > sizes.y ? 0 : 1;
-    kz = std::max(sizes.x, sizes.y) > sizes.z ? kz : 2;
-    kx = kz == 2 ? 0 : kz + 1;
-    ky = kx == 2 ? 0 : kx + 1;
-    turned = {component(origin, kx), component(origin, ky), component(origin, kz)};
-    shear_x = component(direction, kx) / component(direction, kz);
-    shear_y = component(direction, ky) / component(direction, kz);
-  }
 };
 
 /// `reach` of a RayQuery against everything inside `box`.

@@ -121,8 +121,7 @@ struct WideTriangles {
   V corner[3], edge1[3], edge2[3];
 };
 
-/// Tells of the `wanted` slots, and may of others, what hit_triangle_plane_in_double
-/// (core/shape/triangle_plane.h) does.
+/// Tells of the `wanted` slots, and may of others, what the first stage of hit_triangle_plane does.
 template <class AnyRay>
 HWY_INLINE void find_planes(const AnyRay& ray, const TriangleBlock& block, unsigned wanted,
                             BlockPlanes& planes) {

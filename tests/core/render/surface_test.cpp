@@ -75,5 +75,34 @@ TEST(Surface, LeavingRayNeverHitsThePlaceItLeaves) {
   EXPECT_GT(left, 50000);
 }
 
+TEST(LeavingOrigin, IsTheSecondFloatOutsideTheError) {
+  Random random(11);
+  int beside_zero = 0;
+  for (int trial = 0; trial < 200000; ++trial) {
+    Surface surface;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double size = std::pow(10.0, random.between(-45.0f, 38.0f));
+      const double place = random.between(-1.0f, 1.0f) * size;
+      surface.point[axis] = trial % 2 == 0 ? place : static_cast<double>(static_cast<float>(place));
+      surface.normal[axis] = trial % 3 == axis ? 0.0 : random.between(-1.0f, 1.0f);
+      surface.error[axis] = trial % 5 == 0 ? 0.0 : 0x1p-24 * size;
+    }
+    const Vec3d direction(random.direction());
+    const double reach = glm::dot(glm::abs(surface.normal), surface.error);
+    const double side = glm::dot(direction, surface.normal) < 0.0 ? -1.0 : 1.0;
+    const Vec3 origin = leaving_origin(surface, direction);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double offset = (side * reach) * surface.normal[axis];
+      const double moved = surface.point[axis] + offset;
+      const float expected = offset > 0.0   ? next_up(round_up(moved))
+                             : offset < 0.0 ? next_down(round_down(moved))
+                                            : static_cast<float>(moved);
+      ASSERT_EQ(origin[axis], expected) << trial << " from " << moved << " by " << offset;
+      beside_zero += std::abs(moved) < 1e-37 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(beside_zero, 1000);
+}
+
 }  // namespace
 }  // namespace bspview
