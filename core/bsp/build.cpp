@@ -59,16 +59,19 @@ std::string_view name_of(Builder builder) {
   return rule_names[static_cast<std::size_t>(builder)];
 }
 
-Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, std::stop_token stop,
+Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, const Watch& watch,
                         InnerObjects* inner) {
   const Timer timer;
   return with_build_errors(input, [&] {
-    BuildJob job = make_job(input, params, root_box(input, stop), stop);
+    BuildJob job = make_job(input, params, root_box(input, watch.stop), watch.stop);
     job.inner = inner;
+    BuildProgress progress(watch, input.boxes.size());
+    if (watch.progress) job.progress = &progress;
     GrownTree grown;
     with_threads(params.threads, [&] {
       grown = grow_tree(rule_of(params.builder), job, [&] { return placeable_objects(job); });
     });
+    progress.tell_rest();
     return Tree{.box = job.box,
                 .nodes = std::move(grown.nodes),
                 .references = std::move(grown.references),

@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <span>
-#include <stop_token>
 
 #include "core/base/result.h"
+#include "core/base/watch.h"
 #include "core/bsp/inner_objects.h"
 #include "core/bsp/tree.h"
 
@@ -34,9 +34,9 @@ struct BuildInput {
 /// Builds a tree, all of it. The result depends on no thread count and no timing. The maximal depth
 /// is clamped to depth_cap, the leaf size to at least 1; where the memory limit leaves no room for
 /// two children, a node becomes a leaf. Fails with the error "stopped" soon (within milliseconds)
-/// after `stop` is requested, and when memory runs out. Fills `inner`, unless one of the limits is
+/// after a stop is requested, and when memory runs out. Fills `inner`, unless one of the limits is
 /// passed.
-Result<Tree> build_tree(const BuildInput& input, const BuildParams& params,
-                        std::stop_token stop = {}, InnerObjects* inner = nullptr);
+Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, const Watch& watch = {},
+                        InnerObjects* inner = nullptr);
 
 }  // namespace bspview

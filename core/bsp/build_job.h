@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/bsp/build.h"
+#include "core/bsp/build_progress.h"
 #include "core/bsp/cost.h"
 #include "core/bsp/deferred_leaf.h"
 #include "core/bsp/memory_limit.h"
@@ -36,8 +37,9 @@ struct BuildJob {
   std::size_t task_count = 0;     ///< a child with fewer objects is not worth a task of its own
   std::size_t deferred_size = 0;  ///< nodes with at most as many objects are put off; 0: none is
   std::size_t memory_limit = 0;
-  MemoryMeter* meter = nullptr;   ///< null: memory is not limited
-  InnerObjects* inner = nullptr;  ///< null: what inner nodes hold is not kept
+  MemoryMeter* meter = nullptr;       ///< null: memory is not limited
+  InnerObjects* inner = nullptr;      ///< null: what inner nodes hold is not kept
+  BuildProgress* progress = nullptr;  ///< null: nobody watches
   std::stop_token stop = {};
 
   /// What testing an object costs, in units of C_I. Only near the leaves, where it decides whether
@@ -45,6 +47,10 @@ struct BuildJob {
   float tests_of(std::uint32_t object) const {
     if (!weighs_tests) return 1.0f;
     return static_cast<float>(input.test_cost(object) / costs.intersection);
+  }
+
+  void tell(double work) const {
+    if (progress && work > 0.0) progress->tell(work);
   }
 
   void poll() const {

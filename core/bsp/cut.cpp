@@ -103,10 +103,10 @@ std::optional<Tree> regrow(const MaximalTree& whole, const BuildParams& params) 
 }  // namespace
 
 Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParams& params,
-                                       InnerLimit limit, std::stop_token stop) {
+                                       InnerLimit limit, const Watch& watch) {
   try {
     auto inner = std::make_unique<InnerObjects>(limit);
-    Result<Tree> tree = build_tree(input, params, std::move(stop), inner.get());
+    Result<Tree> tree = build_tree(input, params, watch, inner.get());
     if (!tree) return tree.error();
     if (!inner->meter.complete()) inner.reset();
     return MaximalTree{std::make_shared<Tree>(*std::move(tree)), std::move(inner)};

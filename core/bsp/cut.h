@@ -22,7 +22,7 @@ struct MaximalTree {
 /// reaches its own memory limit. References of inner nodes take about as many bytes as those of the
 /// leaves times the depth.
 Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParams& params,
-                                       InnerLimit limit, std::stop_token stop = {});
+                                       InnerLimit limit, const Watch& watch = {});
 
 /// Whether the builder's costs choose its planes; otherwise they change nothing.
 bool costs_choose_planes(Builder builder);

@@ -17,6 +17,7 @@ struct ObjectPart {
 struct Place {
   Aabb cell;
   int depth = 0;
+  double work = 0.0;  ///< from here down, to be told of (BuildProgress)
 };
 
 /// A leaf that a builder would split but has put off.

@@ -30,6 +30,7 @@ GrownTree grow_tree(GrowTree* grow, BuildJob job, const PartsSource& parts) {
   if (auto whole = grow_to(job.max_depth, grow, job, parts)) return *std::move(whole);
   if (job.inner) job.inner->meter.give_up();
   job.inner = nullptr;
+  job.progress = nullptr;  // which cannot go back
   int fitting = job.depth, too_deep = job.max_depth;
   std::optional<GrownTree> cut;
   while (too_deep - fitting > 1) {

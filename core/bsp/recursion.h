@@ -28,7 +28,9 @@ class Recursion {
 
   void grow_root(Objects& objects, Branch& branch) const {
     branch.nodes.push_back(Node::make_leaf(0, 0));
-    grow(objects, {job_.box, job_.depth}, {branch, 0});
+    const double first = job_.progress ? BuildProgress::first_share(objects.count()) : 1.0;
+    job_.tell(first);
+    grow(objects, {job_.box, job_.depth, 1.0 - first}, {branch, 0});
     meter(job_, branch);
   }
 
@@ -50,6 +52,10 @@ class Recursion {
   static constexpr std::size_t meter_step = std::size_t{1} << 16;
 
   void grow(Objects& objects, const Place& place, Slot slot) const {
+    if (place.work > 0.0 && !job_.progress->tells_apart(objects.count())) {
+      grow(objects, {place.cell, place.depth}, slot);
+      return job_.tell(place.work);
+    }
     if constexpr (requires { objects.parts(); }) {
       if (is_put_off(objects.count(), place)) return defer(objects, place, slot);
     }
@@ -61,15 +67,20 @@ class Recursion {
     }
     job_.poll();
     const std::optional<Split> wanted = wanted_split(objects, place);
-    if (!wanted) return make_leaf(objects, slot);
+    if (!wanted) {
+      make_leaf(objects, slot);
+      return job_.tell(place.work);
+    }
     if (job_.inner) slot.branch.inner.keep(objects, job_.inner->meter);
 
     const CellSplit split(*wanted, place.cell);
     Objects other = objects.split(split, slot.branch.scratch);
     const bool keeps_left = split.keeps_left();
     const int depth = place.depth + 1;
-    const Child left{keeps_left ? objects : other, {split.cells.left, depth}, !keeps_left};
-    const Child right{keeps_left ? other : objects, {split.cells.right, depth}};
+    const WorkShares work = deal_work(place, split);
+    const Child left{
+        keeps_left ? objects : other, {split.cells.left, depth, work.left}, !keeps_left};
+    const Child right{keeps_left ? other : objects, {split.cells.right, depth, work.right}};
     grow_children(left, right, add_children(split, slot));
   }
 
@@ -110,6 +121,14 @@ class Recursion {
     const auto count = static_cast<std::uint32_t>(references.size()) - first;
     slot.branch.nodes[slot.node] = Node::make_leaf(first, count);
     if (slot.branch.bytes() > slot.branch.metered + meter_step) meter(job_, slot.branch);
+  }
+
+  /// The work of the children, once that of the node is done.
+  WorkShares deal_work(const Place& place, const Split& split) const {
+    if (place.work == 0.0) return {};
+    const WorkShares work = BuildProgress::deal(place.work, split.left, split.right);
+    job_.tell(work.own);
+    return work;
   }
 
   /// Makes the node at `slot` an inner one; the result is the place of its left child.

@@ -50,10 +50,10 @@ BuildInput SceneBuildInput::input() const {
               [this](std::uint32_t id) { return test_cost(test_costs_, scene_.objects[id].kind); }};
 }
 
-Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, std::stop_token stop,
+Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, const Watch& watch,
                               const TestCosts& test_costs) {
   const Timer timer;
-  Result<Tree> tree = build_tree(SceneBuildInput(scene, test_costs).input(), params, stop);
+  Result<Tree> tree = build_tree(SceneBuildInput(scene, test_costs).input(), params, watch);
   if (tree) tree->build_seconds = timer.seconds();  // the objects' boxes are part of it
   return tree;
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <stop_token>
-
 #include "core/bsp/build.h"
 #include "core/render/test_cost.h"
 #include "core/scene/scene.h"
@@ -24,7 +22,7 @@ class SceneBuildInput {
 
 /// build_tree over all objects of `scene`.
 Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params,
-                              std::stop_token stop = {},
+                              const Watch& watch = {},
                               const TestCosts& test_costs = default_test_costs);
 
 }  // namespace bspview
