@@ -15,10 +15,18 @@ std::string number(const std::optional<double>& value) {
   return fmt::format("{:.4g}", *value);
 }
 
+/// "2 leaves", "1 leaf".
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+std::string counted(std::uint64_t count, const std::string& one) {
+  return counted(count, one, one + "s");
+}
+
 std::string kinds(const ObjectCounts& count) {
   std::string text;
   const auto add = [&](std::size_t n, std::string_view one, std::string_view many) {
-    if (n > 0) text += fmt::format("{}{} {}", text.empty() ? ": " : ", ", n, n == 1 ? one : many);
+    if (n > 0) text += (text.empty() ? ": " : ", ") + counted(n, one, many);
   };
   add(count.triangles, "triangle", "triangles");
   add(count.polygons, "polygon", "polygons");
@@ -50,14 +58,15 @@ std::string tree_text(const TreeReport& tree) {
                   name_of(params.builder), params.max_depth.value_or(0), params.leaf_size,
                   params.clip.value_or(false) ? "on" : "off", name_of(tree.traversal));
   text += fmt::format(
-      "tree    {} nodes: {} interior, {} leaves, {} of them empty; {} references\n"
+      "tree    {}: {} interior, {}, {} of them empty; {}\n"
       "        deepest leaf at {}, {}, expected cost {}\n",
-      stats.nodes, stats.inner, stats.leaves, stats.empty_leaves, stats.references,
-      stats.deepest_leaf, bytes(tree.bytes), number(stats.expected_cost));
+      counted(stats.nodes, "node"), stats.inner, counted(stats.leaves, "leaf", "leaves"),
+      stats.empty_leaves, counted(stats.references, "reference"), stats.deepest_leaf,
+      bytes(tree.bytes), number(stats.expected_cost));
   if (params.lazy) {
-    text += fmt::format(
-        "        lazy: {} of the leaves, with {} references, are not built: no ray came there\n",
-        tree.unbuilt_leaves, tree.unbuilt_references);
+    text +=
+        fmt::format("        lazy: {} of the leaves, with {}, are not built: no ray came there\n",
+                    tree.unbuilt_leaves, counted(tree.unbuilt_references, "reference"));
   }
   if (tree.memory_limit_reached) {
     text += fmt::format(
@@ -117,16 +126,16 @@ std::string rays_text(const RayCounts& rays) {
          line("shadow", rays.shadow, rays.shadow_hits) +
          line("all", rays.all(), rays.minimal_tests()) +
          fmt::format("  secondary: {} reflected, {} refracted\n", rays.reflected, rays.refracted) +
-         fmt::format("  {} tests, {} interior nodes, {} leaves\n", rays.tests, rays.nodes_inner,
-                     rays.nodes_leaf);
+         fmt::format("  {}, {}, {}\n", counted(rays.tests, "test"),
+                     counted(rays.nodes_inner, "interior node"),
+                     counted(rays.nodes_leaf, "leaf", "leaves"));
 }
 
 }  // namespace
 
 std::string to_text(const Report& report) {
-  std::string text =
-      fmt::format("scene   {}, {} object{}{}\n", report.scene_name, report.objects.objects,
-                  report.objects.objects == 1 ? "" : "s", kinds(report.objects));
+  std::string text = fmt::format("scene   {}, {}{}\n", report.scene_name,
+                                 counted(report.objects.objects, "object"), kinds(report.objects));
   text += degenerate_text(report.objects);
   if (report.tree) text += tree_text(*report.tree);
   if (report.first_picture_seconds) {
@@ -137,7 +146,8 @@ std::string to_text(const Report& report) {
   if (report.lambda) text += lambda_text(*report.lambda);
   if (report.rays) text += rays_text(*report.rays);
   if (report.samples_per_pixel) {
-    text += fmt::format("  {} samples a pixel\n", number(report.samples_per_pixel));
+    text += fmt::format("  {} {} a pixel\n", number(report.samples_per_pixel),
+                        *report.samples_per_pixel == 1.0 ? "sample" : "samples");
   }
   return text;
 }

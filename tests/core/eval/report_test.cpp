@@ -82,6 +82,17 @@ TEST(Report, TextHasADashForWhatIsNotDefined) {
   EXPECT_EQ(text.find("Lambda"), std::string::npos);
 }
 
+TEST(Report, TextCountsOneInTheSingular) {
+  const Scene scene = test::random_scene(1, 3);
+  Report report(scene);
+  report.tree = TreeReport(*build_scene_tree(scene, {.builder = Builder::naive}), {});
+  report.samples_per_pixel = 1.0;
+  const std::string text = to_text(report);
+  for (const char* phrase : {" 1 object:", " 1 node:", " 1 leaf,", " 1 reference\n", " 1 sample "}) {
+    EXPECT_NE(text.find(phrase), std::string::npos) << phrase << "\n" << text;
+  }
+}
+
 TEST(Report, TextFitsIntoATerminal) {
   const std::string text = to_text(full_report());
   for (std::size_t start = 0; start < text.size();) {
