@@ -170,7 +170,7 @@ Result<void> run_bench_command(const BenchOptions& options) {
   if (const auto ready = check_output(options.json); !ready) return ready;
   if (const auto ready = make_folder(options.folder, "bench.svg"); !ready) return ready;
   const auto texts = [&] {
-    Progress progress("scenes", 1.0, options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
+    Progress progress("scenes", 1.0, Progress::mode(options.quiet));
     Watch watch;
     watch.progress = [&](double more) { progress.add(more); };
     return measure(options, watch);

@@ -49,7 +49,7 @@ TimedResults cast_repeatedly(const World& world, std::span<const Ray> rays,
   const CastParams params = cast_params(options);
   const int repeats = std::max(1, options.repeats);
   Progress progress("rays", static_cast<double>(rays.size()) * repeats,
-                    options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
+                    Progress::mode(options.quiet));
   TimedResults timed;
   for (int i = 0; i < repeats; ++i) {
     const Timer timer;
@@ -78,7 +78,7 @@ struct Target {
   World world() const { return lazy ? lazy->world() : World{scene, *tree, accelerator.get()}; }
 };
 
-Result<std::unique_ptr<Target>> make_target(const TreeOptions& options) {
+Result<std::unique_ptr<Target>> make_target(const TreeOptions& options, Progress::Mode mode) {
   auto target = std::make_unique<Target>();
   Result<Scene> scene = load_scene(options.scene);
   if (!scene) return scene.error();
@@ -89,7 +89,7 @@ Result<std::unique_ptr<Target>> make_target(const TreeOptions& options) {
     target->lazy = *std::move(lazy);
     return target;
   }
-  Result<Tree> tree = build_scene_tree(target->scene, options.build);
+  Result<Tree> tree = build_with_progress(target->scene, options.build, mode);
   if (!tree) return tree.error();
   target->tree = *std::move(tree);
   target->accelerator = make_accelerator(target->world());
@@ -100,7 +100,7 @@ Result<void> run_cast(const CastOptions& options) {
   if (const auto ready = check_output(options.output); !ready) return ready;
   const Result<std::vector<Ray>> rays = load_rays(options.rays);
   if (!rays) return rays.error();
-  const auto target = make_target(options.tree);
+  const auto target = make_target(options.tree, Progress::mode(options.quiet));
   if (!target) return target.error();
 
   const World world = (*target)->world();

@@ -69,11 +69,20 @@ Result<std::vector<Scene>> load_scenes(const std::vector<std::string>& names) {
   return scenes;
 }
 
-Result<SceneAndTree> load_and_build(const TreeOptions& options) {
+Result<Tree> build_with_progress(const Scene& scene, const BuildParams& params,
+                                 Progress::Mode mode) {
+  const auto objects = static_cast<double>(scene.objects.size());
+  Progress progress("tree", objects, mode);
+  Watch watch;
+  watch.progress = [&](double more) { progress.add(more * objects); };
+  return build_scene_tree(scene, params, watch);
+}
+
+Result<SceneAndTree> load_and_build(const TreeOptions& options, Progress::Mode mode) {
   Result<Scene> scene = load_scene(options.scene);
   if (!scene) return scene.error();
   Result<Tree> tree = options.build.lazy ? upper_part(*scene, options.build)
-                                         : build_scene_tree(*scene, options.build);
+                                         : build_with_progress(*scene, options.build, mode);
   if (!tree) return tree.error();
   return SceneAndTree{*std::move(scene), *std::move(tree)};
 }

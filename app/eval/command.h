@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/eval/progress.h"
 #include "app/options/tree_options.h"
 #include "core/base/result.h"
 #include "core/scene/scene.h"
@@ -42,6 +43,10 @@ struct SceneAndTree {
   Scene scene;
   Tree tree;
 };
-Result<SceneAndTree> load_and_build(const TreeOptions& options);
+Result<SceneAndTree> load_and_build(const TreeOptions& options, Progress::Mode mode);
+
+/// build_scene_tree with a bar.
+Result<Tree> build_with_progress(const Scene& scene, const BuildParams& params,
+                                 Progress::Mode mode);
 
 }  // namespace bspview

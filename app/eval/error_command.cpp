@@ -80,7 +80,7 @@ Result<void> measure_pictures(const ErrorOptions& options, const Watch& watch, E
   for (const std::string& name : names) {
     TreeOptions tree = options.tree;
     tree.scene = name;
-    const Result<SceneAndTree> built = load_and_build(tree);
+    const Result<SceneAndTree> built = load_and_build(tree, Progress::Mode::quiet);
     if (!built) return built.error();
     const Scene& scene = built->scene;
     SceneImageError image{scene.name, image_params(options), {}};
@@ -97,7 +97,7 @@ Result<void> measure_pictures(const ErrorOptions& options, const Watch& watch, E
 /// Runs `work` under a bar that is full when its watch has been advanced by 1.
 template <class Work>
 Result<void> with_progress(const std::string& what, bool quiet, const Work& work) {
-  Progress progress(what, 1.0, quiet ? Progress::Mode::quiet : Progress::Mode::shown);
+  Progress progress(what, 1.0, Progress::mode(quiet));
   Watch watch;
   watch.progress = [&](double more) { progress.add(more); };
   return work(watch);

@@ -21,6 +21,7 @@ std::string format_progress(const std::string& what, const ProgressState& state)
 class Progress {
  public:
   enum class Mode { shown, quiet };
+  static Mode mode(bool is_quiet) { return is_quiet ? Mode::quiet : Mode::shown; }
 
   Progress(std::string what, double total, Mode mode);
   Progress(const Progress&) = delete;

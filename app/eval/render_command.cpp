@@ -78,8 +78,7 @@ LambdaParams lambda_params(const RenderOptions& options) {
 class PictureProgress {
  public:
   PictureProgress(const RenderOptions& options, int pictures)
-      : progress_("pictures", pictures,
-                  options.quiet ? Progress::Mode::quiet : Progress::Mode::shown) {
+      : progress_("pictures", pictures, Progress::mode(options.quiet)) {
     watch_.progress = [this](double more) { progress_.add(more); };
   }
   const Watch& watch() const { return watch_; }
@@ -182,7 +181,7 @@ Result<void> run_lazily(const RenderOptions& options) {
 }
 
 Result<void> run_with_tree(const RenderOptions& options) {
-  const Result<SceneAndTree> built = load_and_build(options.tree);
+  const Result<SceneAndTree> built = load_and_build(options.tree, Progress::mode(options.quiet));
   if (!built) return built.error();
   if (options.heat) {
     const auto saved = save_heat({built->scene, built->tree}, options);

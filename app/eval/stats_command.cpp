@@ -15,7 +15,7 @@ struct StatsOptions {
 
 Result<void> run_stats(const StatsOptions& options) {
   if (const auto ready = check_output(options.json); !ready) return ready;
-  const Result<SceneAndTree> built = load_and_build(options.tree);
+  const Result<SceneAndTree> built = load_and_build(options.tree, Progress::mode(options.quiet));
   if (!built) return built.error();
 
   Report report(built->scene);

@@ -74,8 +74,7 @@ Result<void> run_stress(const StressOptions& options) {
   if (trials == 0) return Error{"none of the checks asked for runs there"};
   std::vector<stress::Row> rows;
   {
-    Progress progress("trials", static_cast<double>(trials),
-                      options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
+    Progress progress("trials", static_cast<double>(trials), Progress::mode(options.quiet));
     for (const std::string& name : names) {
       auto more = run_on(name, options, progress);
       if (!more) return more.error();

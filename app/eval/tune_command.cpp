@@ -25,7 +25,7 @@ Result<void> run_tune_command(const TuneOptions& options) {
   params.bench.build = options.tree.build;
   params.bench.seed = options.tree.seed;
   const auto report = [&] {
-    Progress progress("scenes", 1.0, options.quiet ? Progress::Mode::quiet : Progress::Mode::shown);
+    Progress progress("scenes", 1.0, Progress::mode(options.quiet));
     Watch watch;
     watch.progress = [&](double more) { progress.add(more); };
     return run_tune(*scenes, params, watch);
