@@ -19,6 +19,7 @@ constexpr auto drawing_patience = 300ms;
 constexpr auto rest_after = 150ms;     // without motion of the camera
 constexpr int frames_to_focus = 2;     // until a text field that was asked to has the keyboard
 constexpr auto tooltip_after = 400ms;  // without motion of the pointer
+constexpr auto progress_every = 200ms;
 
 }  // namespace
 
@@ -54,6 +55,7 @@ void App::frame(Interface& interface, const WindowSize& size) {
   watch_camera();
   watch_edits();
   advance();
+  progress_shown_ = Clock::now();
 }
 
 void App::perform(Action action) {
@@ -102,6 +104,7 @@ std::optional<double> App::next_frame_in() const {
   const Clock::time_point now = Clock::now();
   if (was_moving_) due(last_motion_ + rest_after - now);
   if (tooltips_due_) due(pointer_moved_ + tooltip_after - now);
+  if (trees_.busy()) due(progress_shown_ + progress_every - now);
   for (const auto& drop :
        {trees_.drop_due(), pictures_.drop_due(), paths_.drop_due(), overlays_.drop_due()})
     if (drop) due(*drop - now);
@@ -201,6 +204,7 @@ void App::show_results() {
   results_.tree = trees_.value();
   results_.tree_error = trees_.error();
   results_.tree_busy = trees_.busy();
+  results_.tree_progress = tree_work_.progress();
   results_.picture = pictures_.value();
   results_.picture_busy = pictures_.busy();
   results_.rays = paths_.value();

@@ -91,8 +91,9 @@ class App {
   float ui_scale_ = 1.0f;
   std::shared_ptr<const LoadedScene> camera_scene_;  // the scene that state_.view.camera is for
   std::optional<Camera> last_camera_;
-  Clock::time_point last_motion_;    // of the camera
-  Clock::time_point pointer_moved_;  // last
+  Clock::time_point last_motion_;     // of the camera
+  Clock::time_point pointer_moved_;   // last
+  Clock::time_point progress_shown_;  // last
   bool was_moving_ = false, tooltips_due_ = false;
   bool quit_ = false, full_screen_ = false, screenshot_ = false;
 

@@ -21,6 +21,7 @@ struct Results {
   std::optional<Error> scene_error, tree_error;
   bool scene_busy = false, tree_busy = false, picture_busy = false, measures_busy = false,
        accuracy_busy = false;
+  double tree_progress = 0.0;  ///< share of the tree under way that is built
 };
 
 }  // namespace bspview

@@ -1,3 +1,4 @@
+#include <atomic>
 #include <mutex>
 #include <utility>
 
@@ -54,6 +55,8 @@ class TreeWork::Grower {
     if (std::exchange(is_untidy_, false)) give_memory_back();
   }
 
+  double progress() const { return done_; }
+
   bool serves(const TreeRequest& wish) const {
     const std::lock_guard lock(mutex_);
     return under_way_ && under_way_->scene == wish.scene &&
@@ -74,7 +77,8 @@ class TreeWork::Grower {
     if (largest_fits_ && costs_choose_planes(request.params.builder)) {
       return grow_as_asked(request, stop);
     }
-    Result<Tree> tree = build_scene_tree(request.scene->scene, request.params, stop);
+    Result<Tree> tree = build_scene_tree(request.scene->scene, request.params, watch_build(stop));
+    done_ = 0.0;
     if (!tree) return tree.error();
     return Grown{std::make_shared<const Tree>(*std::move(tree))};
   }
@@ -102,12 +106,21 @@ class TreeWork::Grower {
     set_under_way(request);
     const Timer timer;
     const SceneBuildInput objects(request.scene->scene);
-    Result<MaximalTree> whole = build_maximal_tree(objects.input(), request.params, limit, stop);
+    Result<MaximalTree> whole =
+        build_maximal_tree(objects.input(), request.params, limit, watch_build(stop));
+    done_ = 0.0;
     set_under_way(std::nullopt);
     if (!whole) return whole.error();
     whole_ = *std::move(whole);
     whole_.tree->build_seconds = timer.seconds();
     return {};
+  }
+
+  Watch watch_build(std::stop_token stop) {
+    done_ = 0.0;
+    Watch watch(std::move(stop));
+    watch.progress = [this](double more) { done_.fetch_add(more, std::memory_order_relaxed); };
+    return watch;
   }
 
   void set_under_way(std::optional<TreeRequest> request) {
@@ -119,6 +132,7 @@ class TreeWork::Grower {
   MaximalTree whole_;  // of the same scene and planes; its tree is null before there is one
   bool largest_fits_ = false;
   bool is_untidy_ = false;
+  std::atomic<double> done_ = 0.0;  // of the build under way
 
   mutable std::mutex mutex_;
   std::optional<TreeRequest> under_way_;  // guarded; others will be cut from it
@@ -137,6 +151,10 @@ Result<void> TreeWork::operator()(const TreeRequest& request, std::stop_token st
 
 bool TreeWork::serves(const TreeRequest& wish) const {
   return grower_->serves(wish);
+}
+
+double TreeWork::progress() const {
+  return grower_->progress();
 }
 
 }  // namespace bspview

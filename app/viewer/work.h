@@ -32,6 +32,8 @@ class TreeWork {
                           const Publish<BuiltTree>& publish);
   /// Whether `wish` can be cut from what is being built. From any thread.
   bool serves(const TreeRequest& wish) const;
+  /// Share of the build under way that is done; 0 where none is. From any thread.
+  double progress() const;
 
  private:
   class Grower;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/viewer/panels/numbers.h"
 #include "app/viewer/panels/widgets.h"
 
@@ -10,23 +12,30 @@ namespace {
 
 constexpr float progress_width = 90.0f;  // design pixels
 
-std::string work_text(const Results& results) {
-  if (results.scene_busy) return "loading";
-  if (results.tree_busy) return "building";
-  if (results.picture_busy && results.picture)
-    return fmt::format("pass {} of {}", results.picture->pass, results.picture->pass_count);
-  if (results.measures_busy) return "measuring";
-  return "";
+/// Whole ones that are reached; what is told may fall short of all by rounding.
+int percent(double share) {
+  return std::clamp(static_cast<int>(100.0 * share + 1e-6), 0, 100);
 }
 
 float progress(const Results& results) {
-  if (!results.picture || results.tree_busy || results.scene_busy) return 0.0f;
+  if (results.scene_busy) return 0.0f;
+  if (results.tree_busy) return static_cast<float>(results.tree_progress);
+  if (!results.picture) return 0.0f;
   if (results.picture->pass_count == 0) return 0.0f;
   return static_cast<float>(results.picture->pass) /
          static_cast<float>(results.picture->pass_count);
 }
 
 }  // namespace
+
+std::string work_text(const Results& results) {
+  if (results.scene_busy) return "loading";
+  if (results.tree_busy) return fmt::format("building tree, {} %", percent(results.tree_progress));
+  if (results.picture_busy && results.picture)
+    return fmt::format("pass {} of {}", results.picture->pass, results.picture->pass_count);
+  if (results.measures_busy) return "measuring";
+  return "";
+}
 
 std::string status_text(const Results& results) {
   std::string text;

@@ -13,4 +13,7 @@ void status_bar(const Ui& ui, const Results& results);
 /// The facts on its left, separated by dots.
 std::string status_text(const Results& results);
 
+/// What is under way and how far; "" when nothing is.
+std::string work_text(const Results& results);
+
 }  // namespace bspview

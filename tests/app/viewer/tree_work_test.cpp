@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <future>
 
 #include "app/viewer/work.h"
@@ -120,6 +121,25 @@ TEST(TreeWork, WhatIsBuiltServesAllThatCanBeCutFromIt) {
   stop.request_stop();
   EXPECT_FALSE(built.get());
   EXPECT_FALSE(work.serves(request));
+}
+
+TEST(TreeWork, SaysHowFarABuildIsAndNeverGoesBack) {
+  const TreeRequest request{open("spd:mount:8"), {}};
+  TreeWork work;
+  EXPECT_EQ(work.progress(), 0.0);
+  const auto build = [&] { return work(request, {}, [](const auto&) {}).ok(); };
+  std::future<bool> built = std::async(std::launch::async, build);
+  double last = 0.0;
+  while (built.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
+    const double now = work.progress();
+    if (now == 0.0) continue;  // before the build, or behind it
+    EXPECT_GE(now, last);
+    last = now;
+  }
+  EXPECT_TRUE(built.get());
+  EXPECT_GT(last, 0.0);
+  EXPECT_LT(last, 1.0 + 1e-9);
+  EXPECT_EQ(work.progress(), 0.0);
 }
 
 }  // namespace
