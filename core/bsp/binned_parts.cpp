@@ -5,13 +5,6 @@
 
 namespace bspview {
 
-BinnedParts::BinnedParts(const BuildJob& job, std::span<const ObjectPart> parts,
-                         ScratchStack& scratch)
-    : BinnedParts(job, parts.size(), scratch) {
-  count_ = parts.size();
-  std::ranges::copy(parts, parts_.data());
-}
-
 void BinnedParts::append_objects(std::vector<std::uint32_t>& objects) const {
   for (const ObjectPart& part : parts()) objects.push_back(part.object);
 }

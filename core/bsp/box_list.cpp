@@ -12,10 +12,10 @@ void BoxList::append_objects(std::vector<std::uint32_t>& objects) const {
 }
 
 BoxList BoxList::split(const CellSplit& split, ScratchStack&) {
-  std::vector<ObjectPart> left, right;
+  ObjectParts left, right;
   left.reserve(split.left);
   right.reserve(split.right);
-  const auto deal = [](std::vector<ObjectPart>& side, const Aabb& box, std::uint32_t object) {
+  const auto deal = [](ObjectParts& side, const Aabb& box, std::uint32_t object) {
     if (!box.empty()) side.push_back({box, object});
   };
   job_->for_each(parts_.size(), clip_steps, [&](std::size_t i) {

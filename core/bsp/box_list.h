@@ -2,7 +2,6 @@
 
 #include <array>
 #include <span>
-#include <vector>
 
 #include "core/bsp/build_job.h"
 #include "core/bsp/scratch_stack.h"
@@ -16,7 +15,7 @@ using SplitRule = std::optional<Split> (*)(const BuildJob&, std::span<const Obje
 /// The objects of a node as boxes, for the rules that look at them anew in every node.
 class BoxList {
  public:
-  BoxList(const BuildJob& job, SplitRule rule, std::vector<ObjectPart> parts)
+  BoxList(const BuildJob& job, SplitRule rule, ObjectParts parts)
       : job_(&job), rule_(rule), parts_(std::move(parts)) {}
 
   std::size_t count() const { return parts_.size(); }
@@ -29,7 +28,7 @@ class BoxList {
  private:
   const BuildJob* job_;
   SplitRule rule_;
-  std::vector<ObjectPart> parts_;
+  ObjectParts parts_;
 };
 
 /// The plane with the number of parts that touch each side.

@@ -18,8 +18,7 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, Branch& part
   whole.nodes[slot] = moved(part.nodes[0]);
   job.for_each(part.nodes.size() - 1, light_steps,
                [&](std::size_t i) { whole.nodes.push_back(moved(part.nodes[i + 1])); });
-  job.for_each(part.references.size(), light_steps,
-               [&](std::size_t i) { whole.references.push_back(part.references[i]); });
+  whole.references.insert(whole.references.end(), part.references.begin(), part.references.end());
   for (DeferredLeaf& leaf : part.deferred) {
     leaf.node = leaf.node == 0 ? slot : leaf.node + first_node;
     whole.deferred.push_back(std::move(leaf));

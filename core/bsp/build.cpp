@@ -39,7 +39,7 @@ GrowTree* rule_of(Builder builder) {
   return rules[static_cast<std::size_t>(builder)].grow;
 }
 
-void grow_naive(const BuildJob&, std::vector<ObjectPart> parts, Branch& branch) {
+void grow_naive(const BuildJob&, ObjectParts parts, Branch& branch) {
   branch.nodes.push_back(Node::make_leaf(0, static_cast<std::uint32_t>(parts.size())));
   for (const ObjectPart& part : parts) branch.references.push_back(part.object);
 }
@@ -63,7 +63,9 @@ Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, cons
                         InnerObjects* inner) {
   const Timer timer;
   return with_build_errors(input, [&] {
-    BuildJob job = make_job(input, params, root_box(input, watch.stop), watch.stop);
+    Aabb box;
+    with_threads(params.threads, [&] { box = root_box(input, watch.stop); });
+    BuildJob job = make_job(input, params, box, watch.stop);
     job.inner = inner;
     BuildProgress progress(watch, input.boxes.size());
     if (watch.progress) job.progress = &progress;

@@ -1,5 +1,8 @@
 #include "core/bsp/build_job.h"
 
+#include <numeric>
+#include <vector>
+
 #include "core/math/float_error.h"
 #include "core/shape/outline.h"
 
@@ -19,11 +22,15 @@ double smallest_width(const Aabb& box) {
 
 Aabb root_box(const BuildInput& input, const std::stop_token& stop) {
   const BuildJob job{.input = input, .stop = stop};
-  const std::span<const Aabb> boxes = input.boxes;
-  Aabb box;
-  job.for_each(boxes.size(), light_steps, [&](std::size_t i) {
-    if (is_placeable(boxes[i])) box.grow(boxes[i]);
+  std::vector<Aabb> ranges(range_count(input.boxes.size()));
+  job.for_each_range(input.boxes.size(), [&](std::size_t first, std::size_t last) {
+    Aabb& box = ranges[first / range_size];
+    for (std::size_t i = first; i < last; ++i) {
+      if (is_placeable(input.boxes[i])) box.grow(input.boxes[i]);
+    }
   });
+  Aabb box;
+  for (const Aabb& range : ranges) box.grow(range);
   if (box.empty()) return box;
   const Vec3 largest(std::numeric_limits<float>::max());
   const Vec3 margin(1e-5f * largest_component(glm::min(box.extent(), largest)));
@@ -48,12 +55,21 @@ BuildJob make_job(const BuildInput& input, const BuildParams& params, const Aabb
   return job;
 }
 
-std::vector<ObjectPart> placeable_objects(const BuildJob& job) {
+ObjectParts placeable_objects(const BuildJob& job) {
   const std::span<const Aabb> boxes = job.input.boxes;
-  std::vector<ObjectPart> parts;
-  parts.reserve(boxes.size());
-  job.for_each(boxes.size(), light_steps, [&](std::size_t i) {
-    if (is_placeable(boxes[i])) parts.push_back({boxes[i], static_cast<std::uint32_t>(i)});
+  std::vector<std::size_t> places(range_count(boxes.size()) + 1, 0);
+  job.for_each_range(boxes.size(), [&](std::size_t first, std::size_t last) {
+    std::size_t& count = places[first / range_size + 1];
+    for (std::size_t i = first; i < last; ++i) count += is_placeable(boxes[i]);
+  });
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  ObjectParts parts;
+  parts.resize(places.back());
+  job.for_each_range(boxes.size(), [&](std::size_t first, std::size_t last) {
+    ObjectPart* to = parts.data() + places[first / range_size];
+    for (std::size_t i = first; i < last; ++i) {
+      if (is_placeable(boxes[i])) *to++ = {boxes[i], static_cast<std::uint32_t>(i)};
+    }
   });
   return parts;
 }

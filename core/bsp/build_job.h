@@ -22,6 +22,12 @@ struct BuildStopped {};
 inline constexpr std::size_t light_steps = std::size_t{1} << 16;  ///< a few instructions each
 inline constexpr std::size_t clip_steps = std::size_t{1} << 9;
 
+// Steps of a loop that one thread takes at a time.
+inline constexpr std::size_t range_size = std::size_t{1} << 14;
+constexpr std::size_t range_count(std::size_t steps) {
+  return (steps + range_size - 1) / range_size;
+}
+
 /// What stays the same through one build.
 struct BuildJob {
   const BuildInput& input;
@@ -66,6 +72,15 @@ struct BuildJob {
       for (std::size_t i = first; i < last; ++i) body(i);
     }
   }
+
+  /// Calls body(first, last) for ranges of range_size steps, by many threads.
+  template <class Body>
+  void for_each_range(std::size_t count, const Body& body) const {
+    parallel_ranges(count, range_size, [&](std::size_t first, std::size_t last) {
+      poll();
+      body(first, last);
+    });
+  }
 };
 
 // Nodes count their objects with 30 bits.
@@ -79,7 +94,7 @@ BuildJob make_job(const BuildInput& input, const BuildParams& params, const Aabb
                   std::stop_token stop);
 
 /// What it starts from; throws BuildStopped.
-std::vector<ObjectPart> placeable_objects(const BuildJob& job);
+ObjectParts placeable_objects(const BuildJob& job);
 
 /// Runs body(0), body(1) and body(2), at the same time when a node has many objects.
 template <class Body>

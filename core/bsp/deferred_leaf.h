@@ -1,8 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
+#include "core/base/raw_vector.h"
 #include "core/math/aabb.h"
 
 namespace bspview {
@@ -12,6 +11,7 @@ struct ObjectPart {
   Aabb box;
   std::uint32_t object = 0;
 };
+using ObjectParts = RawVector<ObjectPart>;
 
 /// A node's place in the tree.
 struct Place {
@@ -24,7 +24,7 @@ struct Place {
 struct DeferredLeaf {
   std::uint32_t node = 0;  ///< of the tree
   Place place;
-  std::vector<ObjectPart> parts;  ///< in ascending order of their objects
+  ObjectParts parts;  ///< in ascending order of their objects
 };
 
 }  // namespace bspview

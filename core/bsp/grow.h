@@ -21,7 +21,7 @@ struct GrownTree {
 };
 
 /// What a tree is grown of, in ascending order of the objects; called once a try.
-using PartsSource = std::function<std::vector<ObjectPart>()>;
+using PartsSource = std::function<ObjectParts()>;
 
 /// The whole tree, or else the deepest one that job.memory_limit allows. A lone root always fits.
 GrownTree grow_tree(GrowTree* grow, BuildJob job, const PartsSource& parts);

@@ -32,7 +32,7 @@ std::optional<Split> cheapest_between_medians(const BuildJob& job,
 
 }  // namespace
 
-void grow_mb(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch) {
+void grow_mb(const BuildJob& job, ObjectParts parts, Branch& branch) {
   BoxList objects(job, cheapest_between_medians, std::move(parts));
   Recursion<BoxList>(job).grow_root(objects, branch);
 }

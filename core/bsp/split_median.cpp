@@ -26,12 +26,12 @@ std::optional<Split> halve_longest_axis(const BuildJob& job, std::span<const Obj
 
 }  // namespace
 
-void grow_median(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch) {
+void grow_median(const BuildJob& job, ObjectParts parts, Branch& branch) {
   BoxList objects(job, halve_cyclic_axis, std::move(parts));
   Recursion<BoxList>(job).grow_root(objects, branch);
 }
 
-void grow_median_longest(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch) {
+void grow_median_longest(const BuildJob& job, ObjectParts parts, Branch& branch) {
   BoxList objects(job, halve_longest_axis, std::move(parts));
   Recursion<BoxList>(job).grow_root(objects, branch);
 }

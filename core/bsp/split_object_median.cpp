@@ -22,7 +22,7 @@ std::optional<Split> balance(const BuildJob& job, std::span<const ObjectPart> pa
 
 }  // namespace
 
-void grow_object_median(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch) {
+void grow_object_median(const BuildJob& job, ObjectParts parts, Branch& branch) {
   BoxList objects(job, balance, std::move(parts));
   Recursion<BoxList>(job).grow_root(objects, branch);
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/bsp/branch.h"
 #include "core/bsp/build_job.h"
 
@@ -9,7 +7,7 @@ namespace bspview {
 
 /// Grows the whole tree of one builder into `branch`: the rows of build.cpp's table. `parts` holds
 /// the placeable objects in ascending order.
-using GrowTree = void(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch);
+using GrowTree = void(const BuildJob& job, ObjectParts parts, Branch& branch);
 
 GrowTree grow_naive;   // one leaf
 GrowTree grow_median;  // split_median.cpp

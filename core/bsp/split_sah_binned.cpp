@@ -6,9 +6,8 @@
 
 namespace bspview {
 
-void grow_sah_binned(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch) {
+void grow_sah_binned(const BuildJob& job, ObjectParts parts, Branch& branch) {
   BinnedParts objects(job, parts, branch.scratch);
-  parts = {};
   Recursion<BinnedParts>(job).grow_root(objects, branch);
 }
 

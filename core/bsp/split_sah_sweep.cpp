@@ -35,7 +35,7 @@ class SweptObjects {
 
 }  // namespace
 
-void grow_sah(const BuildJob& job, std::vector<ObjectPart> parts, Branch& branch) {
+void grow_sah(const BuildJob& job, ObjectParts parts, Branch& branch) {
   SweptObjects objects(job, EventList(job, parts, branch.scratch));
   parts = {};
   Recursion<SweptObjects>(job).grow_root(objects, branch);

@@ -13,7 +13,8 @@ Result<std::shared_ptr<const LazyTree>> LazyTree::build(const Scene& scene,
                                                         std::stop_token stop) {
   const Timer timer;
   try {
-    const std::shared_ptr<LazyTree> lazy(new LazyTree(scene));
+    std::shared_ptr<LazyTree> lazy;
+    with_threads(params.threads, [&] { lazy.reset(new LazyTree(scene)); });
     auto top = build_partial_tree(lazy->objects_.input(), params, stop);
     if (!top) return top.error();
     lazy->bytes_ = top->tree.bytes();

@@ -1,5 +1,6 @@
 #include "core/render/scene_tree.h"
 
+#include "core/base/parallel.h"
 #include "core/base/timer.h"
 #include "core/shape/cone.h"
 #include "core/shape/polygon.h"
@@ -31,13 +32,15 @@ std::span<const Vec3> triangle_of(const Scene& scene, std::uint32_t id) {
 }  // namespace
 
 SceneBuildInput::SceneBuildInput(const Scene& scene, const TestCosts& test_costs)
-    : scene_(scene),
-      test_costs_(test_costs),
-      mean_test_cost_(mean_test_cost(test_costs, scene)),
-      boxes_(object_bounds(scene)) {
-  for (std::uint32_t id = 0; id < boxes_.size(); ++id) {
-    if (is_degenerate(scene, id)) boxes_[id] = Aabb{};
-  }
+    : scene_(scene), test_costs_(test_costs), mean_test_cost_(mean_test_cost(test_costs, scene)) {
+  constexpr std::size_t range_size = 4096;
+  boxes_.resize(scene.objects.size());
+  parallel_ranges(boxes_.size(), range_size, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto id = static_cast<std::uint32_t>(i);
+      boxes_[i] = is_degenerate(scene, id) ? Aabb{} : object_bounds(scene, id);
+    }
+  });
 }
 
 BuildInput SceneBuildInput::input() const {
@@ -53,7 +56,10 @@ BuildInput SceneBuildInput::input() const {
 Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, const Watch& watch,
                               const TestCosts& test_costs) {
   const Timer timer;
-  Result<Tree> tree = build_tree(SceneBuildInput(scene, test_costs).input(), params, watch);
+  Result<Tree> tree = Error{};
+  with_threads(params.threads, [&] {
+    tree = build_tree(SceneBuildInput(scene, test_costs).input(), params, watch);
+  });
   if (tree) tree->build_seconds = timer.seconds();  // the objects' boxes are part of it
   return tree;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/raw_vector.h"
 #include "core/bsp/build.h"
 #include "core/render/test_cost.h"
 #include "core/scene/scene.h"
@@ -7,7 +8,7 @@
 namespace bspview {
 
 /// What a builder needs to know of `scene`: boxes, clipping of polygons in double, and what tests
-/// cost.
+/// cost. Made by the threads of the enclosing with_threads.
 class SceneBuildInput {
  public:
   explicit SceneBuildInput(const Scene& scene, const TestCosts& test_costs = default_test_costs);
@@ -17,7 +18,7 @@ class SceneBuildInput {
   const Scene& scene_;
   const TestCosts test_costs_;
   const float mean_test_cost_;
-  std::vector<Aabb> boxes_;
+  RawVector<Aabb> boxes_;
 };
 
 /// build_tree over all objects of `scene`.
