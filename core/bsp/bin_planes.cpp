@@ -78,54 +78,70 @@ class Bins {
   std::array<std::array<std::uint32_t, 4>, bin_count> starts_{}, ends_{};
 };
 
-/// Counts a wide node in pieces, at the same time.
-Bins fill_bins(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell) {
+/// What lies around a plane: the nearest sides of boxes, and how many touch it from either side.
+class Surroundings {
+ public:
+  Surroundings(const BuildJob& job, const Aabb& cell, const Split& plane)
+      : below(component(cell.lo, plane.axis)),
+        above(component(cell.hi, plane.axis)),
+        job_(job),
+        plane_(plane) {}
+
+  void count(std::span<const ObjectPart> parts) {
+    const int axis = plane_.axis;
+    const float position = plane_.position;
+    job_.for_each(parts.size(), light_steps, [&](std::size_t i) {
+      const float lo = component(parts[i].box.lo, axis), hi = component(parts[i].box.hi, axis);
+      left += lo <= position;
+      right += hi >= position;
+      starts += lo == position;
+      ends += hi == position;
+      below = std::max(below, hi < position ? hi : lo < position ? lo : below);
+      above = std::min(above, lo > position ? lo : hi > position ? hi : above);
+    });
+  }
+
+  void add(const Surroundings& other) {
+    left += other.left;
+    right += other.right;
+    starts += other.starts;
+    ends += other.ends;
+    below = std::max(below, other.below);
+    above = std::min(above, other.above);
+  }
+
+  float below, above;
+  std::uint32_t left = 0, right = 0;
+  std::uint32_t starts = 0, ends = 0;  ///< in the plane
+
+ private:
+  const BuildJob& job_;
+  const Split& plane_;
+};
+
+/// Counts a wide node in pieces, at the same time; `none` has counted nothing yet.
+template <class Counts>
+Counts count_all(std::span<const ObjectPart> parts, const Counts& none) {
   constexpr std::size_t worth_a_task = 2048, most_pieces = 64;
   const std::size_t pieces = std::clamp(parts.size() / worth_a_task, std::size_t{1}, most_pieces);
   const std::size_t length = (parts.size() + pieces - 1) / pieces;
-  Bins whole(job, cell);
+  Counts whole = none;
   if (pieces == 1) {
     whole.count(parts);
     return whole;
   }
-  std::vector<Bins> bins(pieces, whole);
-  parallel_for(static_cast<int>(pieces), [&](int i) {
-    const std::size_t first = static_cast<std::size_t>(i) * length;
-    bins[static_cast<std::size_t>(i)].count(
-        parts.subspan(first, std::min(length, parts.size() - first)));
+  std::vector<Counts> counts(pieces, none);
+  parallel_ranges(parts.size(), length, [&](std::size_t first, std::size_t last) {
+    counts[first / length].count(parts.subspan(first, last - first));
   });
-  for (const Bins& piece : bins) whole.add(piece);
+  for (const Counts& piece : counts) whole.add(piece);
   return whole;
-}
-
-/// What lies around a plane: the nearest sides of boxes, and how many touch it from either side.
-struct Surroundings {
-  float below, above;
-  std::uint32_t left = 0, right = 0;
-  std::uint32_t starts = 0, ends = 0;  ///< in the plane
-};
-
-Surroundings look_around(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell,
-                         const Split& plane) {
-  const float position = plane.position;
-  Surroundings around{component(cell.lo, plane.axis), component(cell.hi, plane.axis)};
-  job.for_each(parts.size(), light_steps, [&](std::size_t i) {
-    const float lo = component(parts[i].box.lo, plane.axis);
-    const float hi = component(parts[i].box.hi, plane.axis);
-    around.left += lo <= position;
-    around.right += hi >= position;
-    around.starts += lo == position;
-    around.ends += hi == position;
-    around.below = std::max(around.below, hi < position ? hi : lo < position ? lo : around.below);
-    around.above = std::min(around.above, lo > position ? lo : hi > position ? hi : around.above);
-  });
-  return around;
 }
 
 /// `plane`, or the nearest side of a box on either side of it where that is cheaper.
 Split move_to_side(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell,
                    const Split& plane) {
-  const Surroundings around = look_around(job, parts, cell, plane);
+  const auto around = count_all(parts, Surroundings(job, cell, plane));
   const float below = next_up(around.below), above = next_down(around.above);
   const PlaneRange range(job, cell, plane.axis);
   const SplitCost cost(job.costs, cell, plane.axis);
@@ -143,13 +159,20 @@ Split move_to_side(const BuildJob& job, std::span<const ObjectPart> parts, const
 }  // namespace
 
 Split cheapest_of_bins(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell) {
-  const Bins bins = fill_bins(job, parts, cell);
-  std::array<Split, 3> splits;
-  for_each_axis(parts.size(), [&](int axis) {
-    const Split plane = bins.find_cheapest(axis, parts.size());
-    splits[axis] = std::isfinite(plane.cost) ? move_to_side(job, parts, cell, plane) : plane;
-  });
-  return *std::ranges::min_element(splits, {}, &Split::cost);
+  // To move a plane seldom saves more: others are not worth the look at all parts.
+  constexpr double worth_moving = 1.03;
+  const Bins bins = count_all(parts, Bins(job, cell));
+  std::array<Split, 3> planes;
+  for (int axis = 0; axis < 3; ++axis) planes[axis] = bins.find_cheapest(axis, parts.size());
+  const double least = std::ranges::min_element(planes, {}, &Split::cost)->cost;
+  Split best{.cost = std::numeric_limits<double>::infinity()};
+  if (!std::isfinite(least)) return best;
+  for (const Split& plane : planes) {
+    if (plane.cost > worth_moving * least) continue;
+    const Split moved = move_to_side(job, parts, cell, plane);
+    if (moved.cost < best.cost) best = moved;
+  }
+  return best;
 }
 
 }  // namespace bspview
