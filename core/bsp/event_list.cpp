@@ -60,8 +60,9 @@ class EventList::Child {
     for (std::size_t i = 0; i < fresh_count_; ++i) {
       write_events(fresh_[i].box, axis, fresh_[i].object, &fresh[2 * i]);
     }
-    sort_events(*list_.job_, fresh, fresh.data() + fresh.size());
-    merge_events(list_.first_event(axis), 2 * (count_ - fresh_count_), fresh);
+    const std::span<Event> sorted(fresh.data() + fresh.size(), fresh.size());
+    sort_events(*list_.job_, fresh, sorted.data());
+    merge_events(list_.first_event(axis), 2 * (count_ - fresh_count_), sorted);
   }
 
   Event* first_event(int axis) const { return list_.first_event(axis); }
@@ -84,13 +85,15 @@ EventList::EventList(const BuildJob& job, std::size_t capacity, ScratchStack& sc
 EventList::EventList(const BuildJob& job, std::span<const ObjectPart> parts, ScratchStack& scratch)
     : EventList(job, parts.size(), scratch) {
   count_ = parts.size();
-  const ScratchStack::Array<Event> spare(scratch, 3 * stride_);
+  const ScratchStack::Array<Event> unsorted(scratch, 3 * stride_);
   for_each_axis(count_, [&](int axis) {
-    Event* const events = first_event(axis);
-    job.for_each(count_, light_steps, [&](std::size_t i) {
-      write_events(parts[i].box, axis, static_cast<std::uint32_t>(i), events + 2 * i);
+    Event* const events = unsorted.data() + axis * stride_;
+    job.for_each_range(count_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        write_events(parts[i].box, axis, static_cast<std::uint32_t>(i), events + 2 * i);
+      }
     });
-    sort_events(job, {events, 2 * count_}, spare.data() + axis * stride_);
+    sort_events(job, {events, 2 * count_}, first_event(axis));
   });
   job.for_each(count_, light_steps, [&](std::size_t i) { objects_[i] = parts[i].object; });
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "core/base/parallel.h"
 
 namespace bspview {
 namespace {
@@ -21,25 +24,37 @@ std::size_t digit_of(Event event, int digit) {
   return event.bits() >> (key_shift + digit * digit_bits) & (digits - 1);
 }
 
+/// The same for any number of threads: each range of events knows where its own go.
 void scatter(const BuildJob& job, std::span<const Event> from, Event* to, int digit) {
-  Histogram next{};
-  job.for_each(from.size(), light_steps, [&](std::size_t i) { ++next[digit_of(from[i], digit)]; });
-  std::exclusive_scan(next.begin(), next.end(), next.begin(), 0u);
-  job.for_each(from.size(), light_steps,
-               [&](std::size_t i) { to[next[digit_of(from[i], digit)]++] = from[i]; });
+  std::vector<Histogram> next((from.size() + light_steps - 1) / light_steps);
+  const auto for_each = [&](const auto& body) {
+    parallel_ranges(from.size(), light_steps, [&](std::size_t first, std::size_t last) {
+      job.poll();
+      Histogram& range = next[first / light_steps];
+      for (const Event event : from.subspan(first, last - first)) {
+        body(event, range[digit_of(event, digit)]);
+      }
+    });
+  };
+  for_each([](Event, std::uint32_t& count) { ++count; });
+  std::uint32_t place = 0;
+  for (std::size_t value = 0; value < digits; ++value) {
+    for (Histogram& range : next) place += std::exchange(range[value], place);
+  }
+  for_each([&](Event event, std::uint32_t& at) { to[at++] = event; });
 }
 
 }  // namespace
 
-void sort_events(const BuildJob& job, std::span<Event> events, Event* spare) {
+void sort_events(const BuildJob& job, std::span<Event> events, Event* sorted) {
   if (events.size() < radix_count) {
     std::ranges::sort(events);
+    std::ranges::copy(events, sorted);
     return;
   }
-  scatter(job, events, spare, 0);
-  scatter(job, {spare, events.size()}, events.data(), 1);
-  scatter(job, events, spare, 2);
-  job.for_each(events.size(), light_steps, [&](std::size_t i) { events[i] = spare[i]; });
+  scatter(job, events, sorted, 0);
+  scatter(job, {sorted, events.size()}, events.data(), 1);
+  scatter(job, events, sorted, 2);
 }
 
 void merge_events(Event* events, std::size_t count, std::span<const Event> fresh) {

@@ -7,9 +7,10 @@
 
 namespace bspview {
 
-/// Sorts events that come in ascending order of their parts; `spare` is as long as they are.
-/// O(N) for many events, O(N log N) for few.
-void sort_events(const BuildJob& job, std::span<Event> events, Event* spare);
+/// Writes events that come in ascending order of their parts to `sorted`, which is as long as they
+/// are, and leaves anything where they were. O(N) for many events, O(N log N) for few; many
+/// threads.
+void sort_events(const BuildJob& job, std::span<Event> events, Event* sorted);
 
 /// Merges the sorted `fresh` into the sorted `events[0 .. count)`; there is room behind them.
 void merge_events(Event* events, std::size_t count, std::span<const Event> fresh);

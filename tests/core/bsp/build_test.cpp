@@ -141,6 +141,21 @@ TEST(Build, TheTreeDoesNotDependOnTheThreads) {
   }
 }
 
+TEST(Build, ManyObjectsAreGatheredByAllThreadsInTheirOrder) {
+  std::vector<Aabb> boxes = test::random_boxes(40000, 8).boxes();
+  for (std::size_t i = 0; i < boxes.size(); i += 3) boxes[i] = Aabb{};
+  const BoxSet set(std::move(boxes));
+  for (const Builder builder : {Builder::naive, Builder::sah, Builder::sah_binned}) {
+    BuildParams params{.builder = builder, .max_depth = 9, .threads = 1};
+    const auto serial = build_tree(set.input(), params);
+    params.threads = 4;
+    const auto parallel = build_tree(set.input(), params);
+    ASSERT_TRUE(serial.ok() && parallel.ok());
+    expect_same(*serial, *parallel);
+    expect_valid(set.input(), params);
+  }
+}
+
 TEST(Build, SplitsThatDivideNothingAreRefused) {
   const BoxSet set(std::vector<Aabb>(100, {Vec3(0.0f), Vec3(1.0f)}));
   for (const Builder builder :
