@@ -45,14 +45,13 @@ class RayInterval3 {
       least_inverse_[axis] = least(walk.inverse[axis]);
       most_inverse_[axis] = most(walk.inverse[axis]);
     }
-    t_min_ = least(walk.t_min);
   }
 
   /// The slots whose cells some ray may pass before `reach`, a bit each; enter[slot]: not before.
   HWY_INLINE unsigned find_cells(const WideNode& node, float reach, float* enter) const {
     unsigned found = 0;
     for (std::size_t i = 0; i < WideNode::width; i += hn::Lanes(cell_tag)) {
-      CellV first = hn::Set(cell_tag, t_min_), last = hn::Set(cell_tag, reach);
+      CellV first = hn::Zero(cell_tag), last = hn::Set(cell_tag, reach);
       for (int axis = 0; axis < 3; ++axis) {
         const CellV a = hn::Set(cell_tag, least_inverse_[axis]);
         const CellV b = hn::Set(cell_tag, most_inverse_[axis]);
@@ -75,7 +74,6 @@ class RayInterval3 {
   }
 
   float near_origin_[3], far_origin_[3], least_inverse_[3], most_inverse_[3];
-  float t_min_;
   int near_row_[3];
 };
 

@@ -40,6 +40,8 @@ class Accelerator {
     if (child & mixed_bit) return mixed_[child & ~(WideNode::leaf_bit | mixed_bit)];
     return {(child & ~WideNode::leaf_bit) >> count_bits, child & most_blocks, 0, 0};
   }
+  /// Of one leaf.
+  static constexpr std::uint32_t most_blocks = (1u << 5) - 1u;
   std::size_t bytes() const;  ///< without those of its parts
   double build_seconds() const { return build_seconds_; }
 
@@ -58,7 +60,6 @@ class Accelerator {
   static constexpr std::uint32_t mixed_bit = 0x40000000u;
   static constexpr std::uint32_t part_bits = mixed_bit | 0x20000000u;
   static constexpr int count_bits = 5;
-  static constexpr std::uint32_t most_blocks = (1u << count_bits) - 1u;
 
   class LeafMaker;
 

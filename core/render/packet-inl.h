@@ -13,12 +13,19 @@
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
 #include "core/render/traverse_parts-inl.h"
+#include "core/shape/shear_interval-inl.h"
 #include "core/shape/triangle_block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bspview::HWY_NAMESPACE {
 
 constexpr int most = RayLanes::most;
+
+/// Blocks of a leaf that a packet meets together.
+constexpr std::size_t blocks_at_once = 8;
+
+/// So many rays meet a block one by one: what they pass as a whole is not worth finding out.
+constexpr std::size_t few = 2;
 
 HWY_INLINE int lane_count() {
   return static_cast<int>(hn::Lanes(floats));
@@ -40,27 +47,23 @@ class Packet {
 
   /// Takes rays in, at most one a lane. Answers the lanes of those that packets can hold; the
   /// others are no rays, start before their origin, or have a component whose reciprocal could
-  /// overflow.
+  /// overflow, or a reach whose square could.
   unsigned load_rays(std::span<const Ray> rays) {
     const int count = static_cast<int>(rays.size());
-    for (int lane = 0; lane < lane_count(); ++lane) {
-      const Ray& ray = rays[static_cast<std::size_t>(std::min(lane, count - 1))];
-      rays_.origin[0][lane] = ray.origin.x;
-      rays_.origin[1][lane] = ray.origin.y;
-      rays_.origin[2][lane] = ray.origin.z;
-      rays_.direction[0][lane] = ray.direction.x;
-      rays_.direction[1][lane] = ray.direction.y;
-      rays_.direction[2][lane] = ray.direction.z;
-      rays_.t_min[lane] = ray.t_min;
-      rays_.t_max[lane] = ray.t_max;
-      best_t_[lane] = no_hit;
-      best_object_[lane] = no_index;
-      queries_[lane].reset();
+    if (count == lane_count()) {
+      transpose(rays.data());
+    } else {
+      Ray padded[most];
+      std::fill(std::copy(rays.begin(), rays.end(), padded), std::end(padded), rays.back());
+      transpose(padded);
     }
+    std::fill_n(best_t_, most, no_hit);
+    std::fill_n(best_object_, most, no_index);
+    for (; has_query_ != 0;) queries_[take_lane(has_query_)].reset();
     classes_ = find_classes();
     const unsigned plain = find_plain_rays() & ((1u << count) - 1u);
     find_reach(plain);
-    return plain;
+    return rays_.reach_error < 0x1p30f ? plain : 0u;
   }
 
   /// Lanes whose rays run the same way.
@@ -130,6 +133,26 @@ class Packet {
   Hit best(int lane) const { return {best_t_[lane], best_object_[lane], no_leaf}; }
 
  private:
+  /// Takes in as many rays as there are lanes.
+  HWY_INLINE void transpose(const Ray* rays) {
+    float* const fields[] = {rays_.origin[0],    rays_.origin[1],    rays_.origin[2],
+                             rays_.direction[0], rays_.direction[1], rays_.direction[2],
+                             rays_.t_min,        rays_.t_max};
+    static_assert(sizeof(Ray) == sizeof(fields) / sizeof(float*) * sizeof(float));
+    const auto* const values = reinterpret_cast<const float*>(rays);
+#if HWY_TARGET == HWY_SCALAR
+    for (int i = 0; i < 8; ++i) *fields[i] = values[i];
+#else
+    FloatV low[4], high[4];
+    hn::LoadInterleaved4(floats, values, low[0], low[1], low[2], low[3]);
+    hn::LoadInterleaved4(floats, values + 4 * lane_count(), high[0], high[1], high[2], high[3]);
+    for (int i = 0; i < 4; ++i) {
+      hn::Store(hn::ConcatEven(floats, high[i], low[i]), floats, fields[i]);
+      hn::Store(hn::ConcatOdd(floats, high[i], low[i]), floats, fields[4 + i]);
+    }
+#endif
+  }
+
   /// Lanes whose directions are alike: by sign, and by the axis of the largest component.
   struct Classes {
     unsigned negative[3], x_is_main, y_is_main;
@@ -185,6 +208,7 @@ class Packet {
     hn::Store(hn::Div(load(rays_.direction[rays_.kx]), z), floats, rays_.shear_x);
     hn::Store(hn::Div(load(rays_.direction[rays_.ky]), z), floats, rays_.shear_y);
     rays_.active = rays.lanes;
+    interval_ = ShearInterval(rays_, rays.lanes);
     for (int axis = 0; axis < 3; ++axis) {
       walk_.near_row[axis] = 2 * axis + static_cast<int>(rays.negative >> axis & 1u);
       hn::Store(hn::Div(all(1.0f), load(rays_.direction[axis])), floats, walk_.inverse[axis]);
@@ -197,11 +221,10 @@ class Packet {
 
   template <bool any>
   HWY_INLINE void meet_leaf(const Accelerator& accelerator, const WideLeaf& leaf, unsigned lanes) {
-    const TriangleBlock* block = accelerator.blocks() + leaf.first_block;
-    for (std::uint32_t i = 0; i < leaf.block_count; ++i, ++block) {
-      lanes &= rays_.active;
-      if (lanes == 0) return;
-      meet_block<any>(*block, lanes);
+    const std::span blocks(accelerator.blocks() + leaf.first_block, leaf.block_count);
+    for (std::size_t first = 0; first < blocks.size(); first += blocks_at_once) {
+      meet_blocks<any>(blocks.subspan(first, std::min(blocks_at_once, blocks.size() - first)),
+                       lanes & rays_.active);
     }
     for (const std::uint32_t id : accelerator.others(leaf)) {
       for (unsigned rest = lanes & rays_.active; rest != 0;) {
@@ -244,69 +267,114 @@ class Packet {
   }
 
   template <bool any>
-  HWY_INLINE void meet_block(const TriangleBlock& block, unsigned lanes) {
-    BlockLanes found = find_block_lanes(block, lanes);
-    for (; found.slots != 0; found.slots &= found.slots - 1) {
-      const int slot = __builtin_ctz(found.slots);
-      Vec3 vertices[3];
-      for (int i = 0; i < 3; ++i) {
-        for (int axis = 0; axis < 3; ++axis) vertices[i][axis] = block.vertices[i][axis][slot];
-      }
-      const unsigned sure = found.sure[slot] & rays_.active;
-      const unsigned open = found.possible[slot] & ~found.sure[slot] & rays_.active;
-      settle_triangle<any>(block.object[slot], vertices, sure, open);
+  HWY_INLINE void meet_blocks(std::span<const TriangleBlock> blocks, unsigned lanes) {
+    std::uint32_t places[blocks_at_once * TriangleBlock::width];
+    const std::size_t lane_tests = hwy::PopCount(lanes) * blocks.size();
+    std::size_t found = lane_tests + 1;
+    if (hwy::PopCount(lanes) > few) found = interval_.list_places(blocks, places);
+    if (found <= lane_tests) return meet_places<any>(blocks, std::span(places, found), lanes);
+    for (const TriangleBlock& block : blocks) meet_block_by_lane<any>(block, lanes & rays_.active);
+  }
+
+  /// All lanes at once, triangle after triangle, named by place: block and slot. All tests before
+  /// any that depend on what they find: so the processor works on several at a time.
+  template <bool any>
+  HWY_INLINE void meet_places(std::span<const TriangleBlock> blocks,
+                              std::span<std::uint32_t> places, unsigned lanes) {
+    TriangleLanes found[blocks_at_once * TriangleBlock::width];
+    const auto block_of = [&](std::uint32_t place) -> const TriangleBlock& {
+      return blocks[place / TriangleBlock::width];
+    };
+    const auto slot_of = [&](std::uint32_t place) {
+      return static_cast<int>(place % TriangleBlock::width);
+    };
+    std::size_t count = 0;
+    for (const std::uint32_t place : places) {
+      found[count] = find_triangle_lanes(rays_, block_of(place), slot_of(place));
+      found[count].possible &= lanes;
+      found[count].sure &= lanes;
+      places[count] = place;
+      count += static_cast<std::size_t>(found[count].possible != 0);
     }
+    for (std::size_t i = 0; i < count; ++i) {
+      settle_slot<any>(block_of(places[i]), slot_of(places[i]), found[i]);
+    }
+  }
+
+  template <bool any>
+  HWY_INLINE void meet_block_by_lane(const TriangleBlock& block, unsigned lanes) {
+    const BlockLanes found = find_block_lanes(block, lanes);
+    for (unsigned rest = found.slots; rest != 0;) {
+      const int slot = take_lane(rest);
+      settle_slot<any>(block, slot, {found.possible[slot], found.sure[slot]});
+    }
+  }
+
+  template <bool any>
+  HWY_INLINE void settle_slot(const TriangleBlock& block, int slot, TriangleLanes found) {
+    Vec3 vertices[3];
+    for (int i = 0; i < 3; ++i) {
+      for (int axis = 0; axis < 3; ++axis) vertices[i][axis] = block.vertices[i][axis][slot];
+    }
+    const unsigned sure = found.sure & rays_.active;
+    const unsigned open = found.possible & ~found.sure & rays_.active;
+    settle_triangle<any>(block.object[slot], vertices, sure, open);
   }
 
   template <bool any>
   HWY_NOINLINE void settle_triangle(std::uint32_t id, const Vec3* vertices, unsigned sure,
                                     unsigned open) {
     const Sides sides = visible_sides(world_.scene, world_.scene.objects[id], rule_);
-    if (sure != 0) {
-      alignas(64) double t[most];
-      const PlaneHits planes = hit_planes(rays_, TrianglePlane(vertices), sides, t);
-      keep_nearer<any>(id, t, planes.hit & sure);
-      unsigned doubtful = planes.open & sure;
-      while (doubtful != 0) {
-        const int lane = take_lane(doubtful);
-        keep<any>(lane, id, hit_triangle_plane(query(lane), vertices, sides));
-      }
-    }
+    if (sure != 0) settle_sure_hits<any>(id, vertices, sides, sure);
     while (open != 0) {
       const int lane = take_lane(open);
       keep<any>(lane, id, hit_triangle_exactly(query(lane), vertices, sides));
     }
   }
 
+  /// Of rays that pass through the triangle, in front of their origins or behind.
+  template <bool any>
+  HWY_INLINE void settle_sure_hits(std::uint32_t id, const Vec3* vertices, Sides sides,
+                                   unsigned lanes) {
+    const TrianglePlane plane(vertices);
+    const int step = static_cast<int>(hn::Lanes(doubles));
+    for (int first = 0; first < lane_count(); first += step) {
+      const unsigned here = lanes >> first & ((1u << step) - 1u);
+      if (here == 0) continue;
+      const PlaneHits planes = hit_planes(rays_, plane, sides, first);
+      keep_nearer<any>(id, first, planes.t, planes.hit & here);
+      for (unsigned open = planes.open & here; open != 0;) {
+        const int lane = first + take_lane(open);
+        keep<any>(lane, id, hit_triangle_plane(query(lane), vertices, sides));
+      }
+    }
+  }
+
   /// The ray of a lane by itself, made when it is first needed.
   const RayQuery& query(int lane) {
     std::optional<RayQuery>& query = queries_[lane];
+    has_query_ |= 1u << lane;
     if (!query)
       query.emplace(rays_.ray(lane), rays_.reach_error * 0x1p24f, has_triangles(world_.scene));
     return *query;
   }
 
-  /// Keeps t of those of `lanes` where it is the nearest so far.
+  /// Keeps t of those of `lanes`, counted from `first` on, where it is the nearest so far.
   template <bool any>
-  HWY_INLINE void keep_nearer(std::uint32_t id, const double* t, unsigned lanes) {
+  HWY_INLINE void keep_nearer(std::uint32_t id, int first, DoubleV t, unsigned lanes) {
     constexpr hn::Half<Floats> halves;
-    unsigned nearer = 0, equal = 0;
-    for (int i = 0; i < lane_count(); i += static_cast<int>(hn::Lanes(doubles))) {
-      const DoubleV found = hn::Load(doubles, t + i), best = hn::Load(doubles, best_t_ + i);
-      const unsigned here = bits_of(doubles, hn::Lt(found, best)) & lanes >> i;
-      nearer |= here << i;
-      equal |= bits_of(doubles, hn::Eq(found, best)) << i;
-      hn::BlendedStore(found, mask_of(doubles, here), doubles, best_t_ + i);
-      const auto reach = hn::Mul(hn::DemoteTo(halves, found), hn::Set(halves, hit_margin));
-      hn::BlendedStore(reach, mask_of(halves, here), halves, walk_.reach + i);
-    }
-    constexpr hn::RebindToUnsigned<Floats> ids;
-    hn::BlendedStore(hn::Set(ids, id), mask_of(ids, nearer), ids, best_object_);
-    if (any) end_rays(nearer);
-    for (equal &= lanes; equal != 0;) {
-      const int lane = take_lane(equal);
-      keep<any>(lane, id, t[lane]);
-    }
+    constexpr hn::RebindToUnsigned<decltype(halves)> ids;
+    const DoubleV best = hn::Load(doubles, best_t_ + first);
+    const auto best_ids = hn::Load(ids, best_object_ + first);
+    const unsigned smaller = bits_of(ids, hn::Lt(hn::Set(ids, id), best_ids));
+    const unsigned nearer =
+        lanes & (bits_of(doubles, hn::Lt(t, best)) | (bits_of(doubles, hn::Eq(t, best)) & smaller));
+    if (nearer == 0) return;
+    hn::BlendedStore(t, mask_of(doubles, nearer), doubles, best_t_ + first);
+    hn::BlendedStore(hn::Set(ids, id), mask_of(ids, nearer), ids, best_object_ + first);
+    const auto reach = hn::Mul(hn::DemoteTo(halves, t), hn::Set(halves, hit_margin));
+    hn::BlendedStore(reach, mask_of(halves, nearer), halves, walk_.reach + first);
+    if (any) end_rays(nearer << first);
   }
 
   template <bool any>
@@ -330,10 +398,12 @@ class Packet {
   SideRule rule_;
   RayLanes rays_;
   PacketWalk walk_;
+  ShearInterval interval_;
   Classes classes_;
   alignas(64) double best_t_[most];
   alignas(64) std::uint32_t best_object_[most];
   std::optional<RayQuery> queries_[most];
+  unsigned has_query_ = 0;
 };
 
 }  // namespace bspview::HWY_NAMESPACE
