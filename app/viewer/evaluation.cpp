@@ -13,6 +13,7 @@ bool same_rays(const Evaluation& a, const Evaluation& b) {
 Evaluation evaluate(const BuiltTree& tree, const Picture* picture, const Measures* measures) {
   Evaluation result;
   result.setting = tree.request;
+  result.origin = tree.origin;
   const std::size_t objects = tree.tree.object_count;
   if (picture != nullptr && picture->counted && picture->request.tree.get() == &tree) {
     result.view = picture->request;

@@ -10,6 +10,7 @@ namespace bspview {
 /// The numbers of one setting, as far as they are known.
 struct Evaluation {
   TreeRequest setting;
+  BuiltTree::Origin origin = BuiltTree::Origin::build;
   std::optional<PictureRequest> view;  ///< whose rays were counted
   std::optional<RayCounts> rays;
   Delta delta;
@@ -25,9 +26,10 @@ Evaluation evaluate(const BuiltTree& tree, const Picture* picture, const Measure
 /// Keeps the numbers of the previous setting beside those of the current one.
 class Comparison {
  public:
-  /// Call before a setting changes: what is known now becomes the previous setting's.
+  /// Call before a setting changes: what is known now, of more than a sketch, becomes the previous
+  /// setting's.
   void begin_edit() {
-    if (now_ && now_->rays) before_ = now_;
+    if (now_ && now_->rays && now_->origin != BuiltTree::Origin::sketch) before_ = now_;
   }
   void update(const Evaluation& now) { now_ = now; }
 

@@ -41,7 +41,9 @@ struct TreeRequest {
   bool operator==(const TreeRequest&) const = default;
 };
 struct BuiltTree {
-  enum class Origin { build, cut };  ///< cut: from a larger tree; its seconds are no T_CB
+  /// cut: from a larger tree; its seconds are no T_CB. sketch: about the tree that is asked for, by
+  /// a builder that is sooner done (see `request`), until that one is there.
+  enum class Origin { build, cut, sketch };
 
   BuiltTree(const TreeRequest& of, std::shared_ptr<const Tree> made, Origin from);
   TreeRequest request;

@@ -16,6 +16,18 @@ namespace {
 constexpr std::size_t inner_bytes = std::size_t{1} << 29;
 constexpr std::size_t most_objects = inner_bytes / 512;
 
+// Fewer objects are built by `sah` within about a frame (33 ms, two cores).
+constexpr std::size_t fewest_sketched = std::size_t{1} << 15;
+
+// Of the time for a sketch and the tree: `sah-binned` takes about two thirds of that of `sah`.
+constexpr double sketch_share = 0.4;
+
+/// Whether `sah-binned` is worth the while before `sah`. Clipping polygons takes both most of their
+/// time, and equally long.
+bool is_worth_a_sketch(const ObjectCounts& counts) {
+  return counts.objects >= fewest_sketched && counts.polygons <= counts.objects / 2;
+}
+
 /// The tree that all others with the same planes are parts of.
 TreeRequest without_limits(TreeRequest request) {
   request.params.max_depth = depth_cap;
@@ -37,6 +49,19 @@ class TreeWork::Grower {
     BuiltTree::Origin origin = BuiltTree::Origin::build;
   };
 
+  /// About the tree that is asked for, soon; null where that one itself is soon there, or nobody
+  /// turns at it.
+  std::shared_ptr<const BuiltTree> sketch(const TreeRequest& request, std::stop_token stop) {
+    if (!is_turned_at(request) || !is_worth_a_sketch(request.scene->counts)) return nullptr;
+    TreeRequest about = request;
+    about.params.builder = Builder::sah_binned;
+    Result<Tree> tree = build_scene_tree(about.scene->scene, about.params,
+                                         watch_build(std::move(stop), sketch_share));
+    if (!tree) return nullptr;
+    return std::make_shared<const BuiltTree>(about, std::make_shared<const Tree>(*std::move(tree)),
+                                             BuiltTree::Origin::sketch);
+  }
+
   Result<Grown> grow(const TreeRequest& request, std::stop_token stop) {
     set_under_way(std::nullopt);  // in case that the work before ran out of memory
     const bool is_new = !last_ || !is_family(*last_, request);
@@ -56,6 +81,7 @@ class TreeWork::Grower {
   }
 
   double progress() const { return done_; }
+  void restart_progress() { done_ = 0.0; }
 
   bool serves(const TreeRequest& wish) const {
     const std::lock_guard lock(mutex_);
@@ -64,6 +90,12 @@ class TreeWork::Grower {
   }
 
  private:
+  /// Whether it differs from the last one in what makes `sah` choose other planes.
+  bool is_turned_at(const TreeRequest& request) const {
+    return last_ && last_->scene == request.scene && last_->params.builder == Builder::sah &&
+           request.params.builder == Builder::sah && !is_family(*last_, request);
+  }
+
   std::optional<Grown> cut_from_whole(const BuildParams& params) const {
     if (!whole_.tree) return {};
     if (params == whole_.tree->params) return Grown{whole_.tree};
@@ -77,8 +109,8 @@ class TreeWork::Grower {
     if (largest_fits_ && costs_choose_planes(request.params.builder)) {
       return grow_as_asked(request, stop);
     }
-    Result<Tree> tree = build_scene_tree(request.scene->scene, request.params, watch_build(stop));
-    done_ = 0.0;
+    Result<Tree> tree = build_scene_tree(request.scene->scene, request.params,
+                                         watch_build(std::move(stop), 1.0 - done_));
     if (!tree) return tree.error();
     return Grown{std::make_shared<const Tree>(*std::move(tree))};
   }
@@ -106,9 +138,8 @@ class TreeWork::Grower {
     set_under_way(request);
     const Timer timer;
     const SceneBuildInput objects(request.scene->scene);
-    Result<MaximalTree> whole =
-        build_maximal_tree(objects.input(), request.params, limit, watch_build(stop));
-    done_ = 0.0;
+    Result<MaximalTree> whole = build_maximal_tree(objects.input(), request.params, limit,
+                                                   watch_build(std::move(stop), 1.0 - done_));
     set_under_way(std::nullopt);
     if (!whole) return whole.error();
     whole_ = *std::move(whole);
@@ -116,10 +147,12 @@ class TreeWork::Grower {
     return {};
   }
 
-  Watch watch_build(std::stop_token stop) {
-    done_ = 0.0;
+  /// Of a build that is `share` of the work.
+  Watch watch_build(std::stop_token stop, double share) {
     Watch watch(std::move(stop));
-    watch.progress = [this](double more) { done_.fetch_add(more, std::memory_order_relaxed); };
+    watch.progress = [this, share](double more) {
+      done_.fetch_add(more * share, std::memory_order_relaxed);
+    };
     return watch;
   }
 
@@ -132,7 +165,7 @@ class TreeWork::Grower {
   MaximalTree whole_;  // of the same scene and planes; its tree is null before there is one
   bool largest_fits_ = false;
   bool is_untidy_ = false;
-  std::atomic<double> done_ = 0.0;  // of the build under way
+  std::atomic<double> done_ = 0.0;  // of the work under way
 
   mutable std::mutex mutex_;
   std::optional<TreeRequest> under_way_;  // guarded; others will be cut from it
@@ -142,7 +175,10 @@ TreeWork::TreeWork() : grower_(std::make_shared<Grower>()) {}
 
 Result<void> TreeWork::operator()(const TreeRequest& request, std::stop_token stop,
                                   const Publish<BuiltTree>& publish) {
+  grower_->restart_progress();
+  if (const auto sketch = grower_->sketch(request, stop)) publish(sketch);
   Result<Grower::Grown> grown = grower_->grow(request, stop);
+  grower_->restart_progress();
   if (!grown) return grown.error();
   publish(std::make_shared<const BuiltTree>(request, std::move(grown->tree), grown->origin));
   grower_->tidy();

@@ -25,6 +25,8 @@ Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
 /// Builds trees, and while nothing but their limits is changed, cuts them from a larger one. The
 /// builders that costs stop early keep what that needs from their first tree on, which takes up to
 /// 7 % of its time; the others, whose trees grow without end, only once a limit has been changed.
+/// While someone turns at what chooses the planes of a large tree of `sah`, that of `sah-binned` is
+/// published first.
 class TreeWork {
  public:
   TreeWork();
@@ -32,7 +34,7 @@ class TreeWork {
                           const Publish<BuiltTree>& publish);
   /// Whether `wish` can be cut from what is being built. From any thread.
   bool serves(const TreeRequest& wish) const;
-  /// Share of the build under way that is done; 0 where none is. From any thread.
+  /// Share of the work under way that is done; 0 where none is. From any thread.
   double progress() const;
 
  private:

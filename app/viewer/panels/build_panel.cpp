@@ -127,14 +127,19 @@ void traversal_row(const Ui& ui, PictureSettings& picture) {
     picture.traversal = static_cast<Traversal>(traversal);
 }
 
+std::string tree_text(const BuiltTree& built) {
+  const TreeStats& stats = built.stats;
+  const std::string leaves = counted(stats.leaves, "leaf", "leaves");
+  if (built.origin == BuiltTree::Origin::sketch)
+    return fmt::format("sketch by {}: {}", name_of(built.request.params.builder), leaves);
+  return fmt::format("{}, deepest {}, {}", leaves, stats.deepest_leaf,
+                     memory(static_cast<double>(built.tree.bytes())));
+}
+
 void summary(const Ui& ui, const Results& results) {
   if (results.tree_error) wrapped_text(ui, results.tree_error->message, ui.palette.problem);
   if (!results.tree) return;
-  const TreeStats& stats = results.tree->stats;
-  const std::string text =
-      fmt::format("{}, deepest {}, {}", counted(stats.leaves, "leaf", "leaves"), stats.deepest_leaf,
-                  memory(static_cast<double>(results.tree->tree.bytes())));
-  wrapped_text(ui, text, ui.palette.dim_text);
+  wrapped_text(ui, tree_text(*results.tree), ui.palette.dim_text);
   if (results.tree->tree.memory_limit_reached)
     wrapped_text(ui, "The memory limit made leaves of nodes that would have been split.",
                  ui.palette.worse);

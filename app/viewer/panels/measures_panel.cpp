@@ -20,22 +20,27 @@ const ImVec4& change_color(const Ui& ui, double benefit) {
   return benefit > 0.0 ? ui.palette.better : ui.palette.worse;
 }
 
-void heading(const Ui& ui, const char* letter, const char* word, const char* text) {
+struct Heading {
+  const char *letter, *word, *text;
+};
+
+void heading(const Ui& ui, const Heading& of) {
   const FontScope bold(ui.fonts.bold);
-  ImGui::TextUnformatted(ui.fonts.greek ? letter : word);
-  tooltip(ui, text);
+  ImGui::TextUnformatted(ui.fonts.greek ? of.letter : of.word);
+  tooltip(ui, of.text);
 }
 
-void table_head(const Ui& ui, const char* letter, const char* word, const char* text) {
+void table_head(const Ui& ui, const Heading& of, const Evaluation& now) {
   ImGui::TableSetupColumn("symbol", ImGuiTableColumnFlags_WidthFixed, ui.px(symbol_width));
   ImGui::TableSetupColumn("now", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("before", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed, ui.px(change_width));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  heading(ui, letter, word, text);
+  heading(ui, of);
   const ColorScope dim(ImGuiCol_Text, ui.palette.dim_text);
-  for (const char* head : {"now", "before", "change"}) {
+  const bool is_sketch = now.origin == BuiltTree::Origin::sketch;
+  for (const char* head : {is_sketch ? "sketch" : "now", "before", "change"}) {
     ImGui::TableNextColumn();
     right_aligned(head);
   }
@@ -66,16 +71,18 @@ void measure_row(const Ui& ui, const MeasureRow& row) {
 void delta_table(const Ui& ui, const Evaluation& now, const Evaluation* before) {
   const TableScope table("delta", 4, measure_table);
   if (!table) return;
-  table_head(ui, "Δ", "Delta",
-             "What the tree and the rays of this picture cost. Every ray is counted: primary, "
-             "reflected, refracted and shadow rays.\n* derived from the others");
+  table_head(ui,
+             {"Δ", "Delta",
+              "What the tree and the rays of this picture cost. Every ray is counted: primary, "
+              "reflected, refracted and shadow rays.\n* derived from the others"},
+             now);
   for (const MeasureRow& row : delta_rows(now, before)) measure_row(ui, row);
 }
 
 void lambda_table(const Ui& ui, const Evaluation& now, const Evaluation* before) {
   const TableScope table("lambda", 4, measure_table);
   if (!table) return;
-  table_head(ui, "Λ", "Lambda", "What the tree and this picture take in time.");
+  table_head(ui, {"Λ", "Lambda", "What the tree and this picture take in time."}, now);
   for (const MeasureRow& row : lambda_rows(now, before)) measure_row(ui, row);
 }
 

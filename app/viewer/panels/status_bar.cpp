@@ -43,8 +43,9 @@ std::string status_text(const Results& results) {
     text += (text.empty() ? "" : "  ·  ") + fact;
   };
   if (results.tree) {
-    const bool is_cut = results.tree->origin == BuiltTree::Origin::cut;
-    add((is_cut ? "cut " : "build ") + duration(results.tree->tree.build_seconds));
+    constexpr const char* made[] = {"build ", "cut ", "sketch "};  // as the enumerators of Origin
+    add(made[static_cast<std::size_t>(results.tree->origin)] +
+        duration(results.tree->tree.build_seconds));
     add(memory(static_cast<double>(results.tree->tree.bytes())));
   }
   if (results.now && results.now->delta.n_at)

@@ -123,11 +123,47 @@ TEST(TreeWork, WhatIsBuiltServesAllThatCanBeCutFromIt) {
   EXPECT_FALSE(work.serves(request));
 }
 
-TEST(TreeWork, SaysHowFarABuildIsAndNeverGoesBack) {
-  const TreeRequest request{open("spd:mount:8"), {}};
+TEST(TreeWork, WhatChoosesThePlanesOfALargeTreeIsSketchedFirst) {
+  const auto scene = open("spd:mount:7");
   TreeWork work;
-  EXPECT_EQ(work.progress(), 0.0);
+  std::vector<std::shared_ptr<const BuiltTree>> published;
+  const auto want = [&](const BuildParams& params) {
+    published.clear();
+    const auto publish = [&](auto tree) { published.push_back(tree); };
+    EXPECT_TRUE(work({scene, params}, {}, publish).ok());
+    return published.size();
+  };
+  EXPECT_EQ(want({.builder = Builder::mb}), 1u);
+  EXPECT_EQ(want({}), 1u) << "another builder";
+  ASSERT_EQ(want({.cost_traversal = 2.0f}), 2u);
+  EXPECT_EQ(published[0]->origin, Origin::sketch);
+  const BuildParams binned{.builder = Builder::sah_binned, .cost_traversal = 2.0f};
+  EXPECT_EQ(published[0]->request.params, binned);
+  EXPECT_EQ(published[0]->tree.nodes, build_scene_tree(scene->scene, binned)->nodes);
+  EXPECT_EQ(published[1]->origin, Origin::build);
+  EXPECT_EQ(published[1]->tree.nodes,
+            build_scene_tree(scene->scene, {.cost_traversal = 2.0f})->nodes);
+  EXPECT_EQ(want({.max_depth = 9, .cost_traversal = 2.0f}), 1u) << "a cut";
+  EXPECT_EQ(want({.max_depth = 9, .cost_traversal = 3.0f}), 2u);
+}
+
+TEST(TreeWork, AStoppedSketchIsNotShown) {
+  const auto scene = open("spd:mount:7");
+  TreeWork work;
+  EXPECT_TRUE(work({scene, {}}, {}, [](const auto&) {}).ok());
+  std::stop_source stop;
+  stop.request_stop();
+  const auto publish = [](const auto&) { ADD_FAILURE(); };
+  EXPECT_FALSE(work({scene, {.cost_traversal = 2.0f}}, stop.get_token(), publish).ok());
+}
+
+TEST(TreeWork, SaysHowFarABuildIsAndNeverGoesBack) {
+  TreeRequest request{open("spd:mount:8"), {}};
+  TreeWork work;
   const auto build = [&] { return work(request, {}, [](const auto&) {}).ok(); };
+  EXPECT_TRUE(build());
+  EXPECT_EQ(work.progress(), 0.0);
+  request.params.cost_traversal = 2.0f;  // a sketch, then the tree
   std::future<bool> built = std::async(std::launch::async, build);
   double last = 0.0;
   while (built.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
