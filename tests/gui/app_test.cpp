@@ -51,6 +51,28 @@ TEST(App, DraggingASliderIsOneStepOfUndoAndOneComparison) {
   EXPECT_GT(rig.state().build.leaf_size, 3);
 }
 
+TEST(App, TheCostOfATestCanBeSetAndLeftToTheProgramAgain) {
+  AppRig rig(small_scene());
+  ASSERT_TRUE(rig.settle());
+  const float measured = rig.results().tree->tree.cost_intersection;
+  rig.move(rig.point_of("build.cost_intersection", 0.5f));
+  rig.act();
+  rig.press();
+  rig.act();
+  rig.move(rig.point_of("build.cost_intersection", 0.9f));
+  rig.act();
+  rig.release();
+  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.state().build.cost_intersection);
+  EXPECT_GT(*rig.state().build.cost_intersection, measured);
+  rig.click(rig.middle_of("build.auto_cost"));
+  ASSERT_TRUE(rig.settle());
+  EXPECT_FALSE(rig.state().build.cost_intersection);
+  EXPECT_EQ(rig.results().tree->tree.cost_intersection, measured);
+  rig.click(rig.middle_of("build.auto_cost"));
+  EXPECT_EQ(rig.state().build.cost_intersection, measured);
+}
+
 TEST(App, TheBuildOfACutTreeIsTimedAtRest) {
   AppRig rig(small_scene());
   ASSERT_TRUE(rig.settle());

@@ -16,7 +16,7 @@ namespace bspview {
 namespace {
 
 constexpr int largest_leaf_size = 64;
-constexpr float automatic_width = 58.0f;  // design pixels, of the check box beside the depth
+constexpr float automatic_width = 58.0f;  // design pixels, of a check box beside a field
 constexpr Label depth_label{"build.max_depth", "Maximal depth",
                             "A node at this depth becomes a leaf. The root has depth 0. "
                             "Keys [ and ]"};
@@ -45,6 +45,14 @@ void builder_row(const Ui& ui, BuildParams& params) {
     params.builder = static_cast<Builder>(builder);
 }
 
+/// Behind a field: whether its value, else the one shown, is left to the program.
+template <class T>
+void automatic_check(const Ui& ui, const Label& label, T shown, std::optional<T>& value) {
+  ImGui::SameLine();
+  bool automatic = !value;
+  if (check_row(ui, label, automatic)) value = automatic ? std::nullopt : std::optional(shown);
+}
+
 void depth_row(const Ui& ui, const Results& results, BuildParams& params) {
   int depth = effective_depth(params, object_count(results));
   begin_row(ui, depth_label);
@@ -53,11 +61,9 @@ void depth_row(const Ui& ui, const Results& results, BuildParams& params) {
     params.max_depth = depth;
   ui.note(depth_label.name);
   tooltip(ui, depth_label.tooltip);
-  ImGui::SameLine();
-  bool automatic = !params.max_depth;
-  if (check_row(ui, {"build.auto_depth", "auto", "round(8 + 1.3 log2 N) for N objects, as in pbrt"},
-                automatic))
-    params.max_depth = automatic ? std::nullopt : std::optional(depth);
+  automatic_check(ui,
+                  {"build.auto_depth", "auto", "round(8 + 1.3 log2 N) for N objects, as in pbrt"},
+                  depth, params.max_depth);
 }
 
 void clip_row(const Ui& ui, BuildParams& params) {
@@ -77,30 +83,33 @@ void clip_row(const Ui& ui, BuildParams& params) {
 
 bool cost_field(const Ui& ui, const Label& label, float& value) {
   const IdScope id(label.name);
-  const bool is_changed = ImGui::DragFloat("##cost", &value, 0.02f, 0.01f, 1000.0f, label.text,
+  const bool is_changed = ImGui::DragFloat("##cost", &value, 0.02f, 0.01f, 1000.0f, "%.2f",
                                            ImGuiSliderFlags_AlwaysClamp);
   ui.note(label.name);
   tooltip(ui, label.tooltip);
   return is_changed;
 }
 
+void test_cost_row(const Ui& ui, const Results& results, BuildParams& params) {
+  constexpr Label label{"build.cost_intersection", "Test cost",
+                        "C_I: of testing an object. Only its ratio to the cost of a node matters."};
+  const float measured = results.tree ? results.tree->tree.cost_intersection : 1.0f;
+  float cost = params.cost_intersection.value_or(measured);
+  begin_row(ui, label);
+  ImGui::SetNextItemWidth(-ui.px(automatic_width));
+  if (cost_field(ui, label, cost)) params.cost_intersection = cost;
+  automatic_check(ui,
+                  {"build.auto_cost", "auto",
+                   "What was measured for each kind of object; the mean over the scene is shown."},
+                  cost, params.cost_intersection);
+}
+
 void cost_rows(const Ui& ui, const Results& results, BuildParams& params) {
   const DisabledScope scope(disabled(!costs_choose_planes(params.builder)));
-  begin_row(ui, {"build.costs", "Costs", "Of a node and of a test; only their ratio matters."});
-  const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-  ImGui::SetNextItemWidth(half);
-  cost_field(ui, {"build.cost_traversal", "node %.2f", "C_T: of visiting an inner node."},
-             params.cost_traversal);
-  ImGui::SameLine();
-  ImGui::SetNextItemWidth(half);
-  float test =
-      params.cost_intersection.value_or(results.tree ? results.tree->tree.cost_intersection : 1.0f);
-  if (cost_field(ui,
-                 {"build.cost_intersection", "test %.2f",
-                  "C_I: of testing an object. Until it is set, what was measured for the kinds of "
-                  "objects in the scene."},
-                 test))
-    params.cost_intersection = test;
+  constexpr Label label{"build.cost_traversal", "Node cost", "C_T: of visiting an inner node."};
+  begin_row(ui, label);
+  cost_field(ui, label, params.cost_traversal);
+  test_cost_row(ui, results, params);
   slider_row(ui,
              {"build.empty_bonus", "Empty bonus",
               "Share of the cost that a split with one empty side is spared."},
