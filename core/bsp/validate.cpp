@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/shape/outline.h"
+
 namespace bspview {
 namespace {
 
@@ -22,6 +24,25 @@ bool overlap(const Aabb& a, const Aabb& b) {
 Aabb grown_by_8_ulp(const Aabb& cell) {
   const Vec3 largest(largest_component(glm::max(magnitudes(cell.lo), magnitudes(cell.hi))));
   return {cell.lo - 0x1p-20f * largest, cell.hi + 0x1p-20f * largest};
+}
+
+/// Which outlines of a polygon, found somewhere on the path and divided from there on, reach the
+/// present cell. What clipping keeps of a concave one depends on the order of the cuts; it is not
+/// in the cell if any of them says so.
+struct OutlineReach {
+  bool some = false, all = true;
+};
+
+/// The part of an outline in `cell` that is in `child`, one of the two cells that a plane makes.
+[[nodiscard]] bool divide_into(const Aabb& cell, const Aabb& child, double margin, Outline& part) {
+  int axis = 0;
+  while (cell.lo[axis] == child.lo[axis] && cell.hi[axis] == child.hi[axis]) ++axis;
+  const bool goes_left = cell.lo[axis] == child.lo[axis];
+  Outline left, right;
+  const double plane = goes_left ? child.hi[axis] : child.lo[axis];
+  if (!divide(part, {axis, plane, margin}, {left, right})) return false;
+  part = goes_left ? left : right;
+  return true;
 }
 
 /// One walk over the whole tree, with the objects whose boxes touch the present cell.
@@ -48,6 +69,7 @@ class Walk {
   Result<void> check_present(std::uint32_t index, const ObjectIds& touching) const;
   Result<void> check_absent(std::uint32_t index, const ObjectIds& touching) const;
   bool clipping_keeps(std::uint32_t object) const;
+  OutlineReach outlines_reach(std::uint32_t object) const;
 
   const Tree& tree_;
   const BuildInput& input_;
@@ -126,7 +148,8 @@ Result<void> Walk::check_present(std::uint32_t index, const ObjectIds& touching)
   for (const std::uint32_t object : tree_.objects_of(tree_.nodes[index])) {
     if (object >= input_.boxes.size()) return node_error(index, "there is no object {}", object);
     const bool by_box = std::ranges::binary_search(touching, object);
-    if (!by_box || (clip_ && input_.clip(object, grown_by_8_ulp(path_.back())).empty())) {
+    const bool is_cut_off = clip_ && input_.clip(object, grown_by_8_ulp(path_.back())).empty();
+    if (!by_box || (is_cut_off && !outlines_reach(object).some)) {
       return node_error(index, "object {} does not touch the cell", object);
     }
   }
@@ -139,7 +162,7 @@ Result<void> Walk::check_absent(std::uint32_t index, const ObjectIds& touching) 
   std::ranges::set_difference(touching, tree_.objects_of(tree_.nodes[index]),
                               std::back_inserter(missing));
   for (const std::uint32_t object : missing) {
-    if (!clip_ || clipping_keeps(object)) {
+    if (!clip_ || (clipping_keeps(object) && outlines_reach(object).all)) {
       return node_error(index, "object {} touches the cell and is not in the leaf", object);
     }
   }
@@ -154,6 +177,26 @@ bool Walk::clipping_keeps(std::uint32_t object) const {
     part = input_.clip(object, cell);
     return !part.empty();
   });
+}
+
+OutlineReach Walk::outlines_reach(std::uint32_t object) const {
+  OutlineReach reach;
+  const auto corners = input_.corners ? input_.corners(object) : std::span<const Vec3>();
+  if (corners.size() <= 3) return reach;
+  const Aabb& whole = input_.boxes[object];
+  const double margin = outline_margin(tree_.box);
+  for (std::size_t first = 0; first < path_.size(); ++first) {
+    Outline part;
+    bool is_known = find_outline(corners, whole, path_[first], margin, part);
+    for (std::size_t i = first; is_known; ++i) {
+      const bool reaches = overlap(intersection(box_of(part, margin), whole), path_.back());
+      reach.some |= reaches;
+      reach.all &= reaches;
+      if (i + 1 == path_.size()) break;
+      is_known = divide_into(path_[i], path_[i + 1], margin, part);
+    }
+  }
+  return reach;
 }
 
 Result<void> Walk::check_nothing_left() const {
