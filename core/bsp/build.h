@@ -16,18 +16,18 @@ bool is_placeable(const Aabb& box);
 /// Box of the part of object `object` inside `cell`, rounded outwards; empty when there is none.
 using ClipFunction = std::function<Aabb(std::uint32_t object, const Aabb& cell)>;
 
-/// Corners of an object that is a convex polygon; none for any other.
-using ConvexFunction = std::function<std::span<const Vec3>(std::uint32_t object)>;
+/// Corners of an object that is a polygon, concave or not; none for any other.
+using CornersFunction = std::function<std::span<const Vec3>(std::uint32_t object)>;
 
 /// Cost of testing an object. Above 0.
 using TestCostFunction = std::function<float(std::uint32_t object)>;
 
 /// What a builder knows of the objects. The functions are called from several threads.
 struct BuildInput {
-  std::span<const Aabb> boxes;     ///< one an object; not placeable: the object is in no leaf
-  ClipFunction clip;               ///< null: trees are built without
-  ConvexFunction convex = {};      ///< what the builder may clip itself, several times as fast
-  float cost_intersection = 1.5f;  ///< C_I of trees whose parameters have none: a mean
+  std::span<const Aabb> boxes;      ///< one an object; not placeable: the object is in no leaf
+  ClipFunction clip;                ///< null: trees are built without
+  CornersFunction corners = {};     ///< what the builder may clip itself, several times as fast
+  float cost_intersection = 1.5f;   ///< C_I of trees whose parameters have none: a mean
   TestCostFunction test_cost = {};  ///< C_I of each; null: the mean
 };
 

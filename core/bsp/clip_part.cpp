@@ -7,8 +7,8 @@ Aabb clipped_box(const BuildJob& job, std::uint32_t object, const Aabb& cell) {
 }
 
 bool find_outline(const BuildJob& job, std::uint32_t object, const Aabb& cell, Outline& part) {
-  if (!job.input.convex) return false;
-  const std::span<const Vec3> polygon = job.input.convex(object);
+  if (!job.input.corners) return false;
+  const std::span<const Vec3> polygon = job.input.corners(object);
   return !polygon.empty() &&
          find_outline(polygon, job.input.boxes[object], cell, job.clip_margin, part);
 }

@@ -23,9 +23,9 @@ Aabb clip_object(const Scene& scene, std::uint32_t id, const Aabb& box, const Aa
   return clip_polygon(vertices_of(scene, scene.faces[object.shape]), box, cell);
 }
 
-std::span<const Vec3> triangle_of(const Scene& scene, std::uint32_t id) {
+std::span<const Vec3> corners_of(const Scene& scene, std::uint32_t id) {
   const Object& object = scene.objects[id];
-  if (object.kind != ObjectKind::triangle) return {};
+  if (object.kind != ObjectKind::triangle && object.kind != ObjectKind::polygon) return {};
   return vertices_of(scene, scene.faces[object.shape]);
 }
 
@@ -47,7 +47,7 @@ BuildInput SceneBuildInput::input() const {
   return {.boxes = boxes_,
           .clip = [this](std::uint32_t id,
                          const Aabb& cell) { return clip_object(scene_, id, boxes_[id], cell); },
-          .convex = [this](std::uint32_t id) { return triangle_of(scene_, id); },
+          .corners = [this](std::uint32_t id) { return corners_of(scene_, id); },
           .cost_intersection = mean_test_cost_,
           .test_cost =
               [this](std::uint32_t id) { return test_cost(test_costs_, scene_.objects[id].kind); }};

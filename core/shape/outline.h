@@ -7,7 +7,8 @@
 
 namespace bspview {
 
-/// The part of a polygon in a cell, in double, while cell after cell is cut in two.
+/// The part of a polygon in a cell, in double, while cell after cell is cut in two. Of a concave
+/// polygon it is one outline, too, with edges to and fro along the cuts between what lies apart.
 struct Outline {
   /// Enough for a triangle in a cell, which has nine corners, and what rounding can add.
   static constexpr std::size_t most_corners = 12;

@@ -61,6 +61,55 @@ TEST(Outline, OfAPartIsTheClippedPolygon) {
   }
 }
 
+// A star of ten corners around `points`.front(), and points on it.
+struct Star {
+  std::array<Vec3, 10> corners;
+  std::vector<Vec3> points;
+};
+
+Star random_star(test::Random& random) {
+  Star star;
+  const Vec3 centre = random.point(0.3f), u = random.point(0.5f), v = random.point(0.5f);
+  for (std::size_t i = 0; i < star.corners.size(); ++i) {
+    const float angle = 0.62831853f * static_cast<float>(i);
+    const float size = i % 2 == 0 ? 1.0f : 0.2f;
+    star.corners[i] = centre + size * (std::cos(angle) * u + std::sin(angle) * v);
+  }
+  for (int i = 0; i < 300; ++i) {
+    const std::size_t corner = static_cast<std::size_t>(random.below(10));
+    const Vec3 edge = star.corners[(corner + 1) % 10] - star.corners[corner];
+    const Vec3 end = star.corners[corner] + random.unit() * edge;
+    star.points.push_back(centre + random.unit() * (end - centre));
+  }
+  return star;
+}
+
+TEST(Outline, OfAConcavePolygonHoldsEveryPointOfIt) {
+  test::Random random(3);
+  int seen = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Star star = random_star(random);
+    Outline part, left, right;
+    ASSERT_TRUE(find_outline(star.corners, box_around(star.corners), cube, margin, part));
+    Aabb cell = cube;
+    for (int depth = 0; depth < 12; ++depth) {
+      const int axis = random.below(3);
+      const float plane = cell.lo[axis] + random.unit() * (cell.hi[axis] - cell.lo[axis]);
+      if (!divide(part, {axis, plane, margin}, {left, right})) break;
+      const bool go_left = random.below(2) == 0;
+      (go_left ? cell.hi : cell.lo)[axis] = plane;
+      part = go_left ? left : right;
+      const Aabb box = grown(box_of(part, margin), 1e-6f);
+      for (const Vec3 point : star.points) {
+        if (!grown(cell, -1e-6f).contains(point)) continue;
+        ASSERT_TRUE(box.contains(point)) << trial << " at " << depth;
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 50'000);
+}
+
 TEST(Outline, WhatOnlyTouchesThePlaneIsOnBothSides) {
   const std::array<Vec3, 3> corners{Vec3{0, 0, 0}, Vec3{0.5f, 0, 0}, Vec3{0, 0.5f, 0}};
   Outline whole, left, right;
