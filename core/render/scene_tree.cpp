@@ -44,13 +44,14 @@ SceneBuildInput::SceneBuildInput(const Scene& scene, const TestCosts& test_costs
 }
 
 BuildInput SceneBuildInput::input() const {
-  return {.boxes = boxes_,
-          .clip = [this](std::uint32_t id,
-                         const Aabb& cell) { return clip_object(scene_, id, boxes_[id], cell); },
-          .corners = [this](std::uint32_t id) { return corners_of(scene_, id); },
-          .cost_intersection = mean_test_cost_,
-          .test_cost =
-              [this](std::uint32_t id) { return test_cost(test_costs_, scene_.objects[id].kind); }};
+  return {
+      .boxes = boxes_,
+      .clip = [this](std::uint32_t id,
+                     const Aabb& cell) { return clip_object(scene_, id, boxes_[id], cell); },
+      .corners = [this](std::uint32_t id) { return corners_of(scene_, id); },
+      .cost_intersection = mean_test_cost_,
+      .test_cost =
+          [this](std::uint32_t id) { return test_cost(test_costs_, scene_, scene_.objects[id]); }};
 }
 
 Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, const Watch& watch,

@@ -20,6 +20,18 @@ TEST(TestCost, TheMeanIsByTheNumberOfObjects) {
   EXPECT_GT(mean_test_cost(default_test_costs, {}), 0.0f);
 }
 
+TEST(TestCost, APolygonCostsAsItHasCorners) {
+  Scene scene;
+  const std::uint32_t material = add_material(scene, {});
+  const Vec3 corners[] = {{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}, {-1, 1, 0}};
+  add_face(scene, material, std::span(corners).first(4));
+  add_face(scene, material, corners);
+  const TestCosts costs{1.0f, 8.0f, 1.0f, 1.0f};
+  EXPECT_EQ(test_cost(costs, scene, scene.objects[0]), 8.0f);
+  EXPECT_EQ(test_cost(costs, scene, scene.objects[1]), 12.0f);
+  EXPECT_EQ(mean_test_cost(costs, scene), 10.0f);
+}
+
 /// Objects of the leaf with the most.
 std::uint32_t largest_leaf(const Tree& tree) {
   std::uint32_t most = 0;
