@@ -9,44 +9,25 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/bsp/bin_counts.h"
 #include "core/math/float_error.h"
 
 namespace bspview {
 namespace {
 
-constexpr int bin_count = 32;
-
 /// Sides of boxes, by the bins of the three axes that they lie in.
 class Bins {
  public:
-  Bins(const BuildJob& job, const Aabb& cell) : job_(job), cell_(cell) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const float width = component(cell.hi, axis) - component(cell.lo, axis);
-      const float per_width = bin_count / width;
-      // Where float has no room for bins, all is in the first one.
-      const bool has_bins = std::isfinite(width) && std::isfinite(per_width);
-      lo_[axis] = has_bins ? component(cell.lo, axis) : 0.0f;
-      per_width_[axis] = has_bins ? per_width : 0.0f;
-    }
-  }
+  Bins(const BuildJob& job, const Aabb& cell) : job_(job), cell_(cell), counts_(cell) {}
 
   void count(std::span<const ObjectPart> parts) {
-    job_.for_each(parts.size(), light_steps, [&](std::size_t i) {
-      for (int axis = 0; axis < 3; ++axis) {
-        ++starts_[bin(component(parts[i].box.lo, axis), axis)][axis];
-        ++ends_[bin(component(parts[i].box.hi, axis), axis)][axis];
-      }
-    });
-  }
-
-  void add(const Bins& other) {
-    for (int bin = 0; bin < bin_count; ++bin) {
-      for (int axis = 0; axis < 3; ++axis) {
-        starts_[bin][axis] += other.starts_[bin][axis];
-        ends_[bin][axis] += other.ends_[bin][axis];
-      }
+    for (std::size_t first = 0; first < parts.size(); first += light_steps) {
+      job_.poll();
+      counts_.count(parts.subspan(first, std::min(light_steps, parts.size() - first)));
     }
   }
+
+  void add(const Bins& other) { counts_.add(other.counts_); }
 
   /// The cheapest plane between two bins of an axis.
   Split find_cheapest(int axis, std::size_t count) const {
@@ -55,10 +36,10 @@ class Bins {
     const SplitCost cost(job_.costs, cell_, axis);
     Split split{.axis = axis, .right = static_cast<std::uint32_t>(count)};
     const double lo = component(cell_.lo, axis);
-    const double step = (component(cell_.hi, axis) - lo) / bin_count;
-    for (int bin = 0; bin < bin_count - 1; ++bin) {
-      split.left += starts_[bin][axis];
-      split.right -= ends_[bin][axis];
+    const double step = (component(cell_.hi, axis) - lo) / BinCounts::bins;
+    for (int bin = 0; bin < BinCounts::bins - 1; ++bin) {
+      split.left += counts_.starts[bin][axis];
+      split.right -= counts_.ends[bin][axis];
       split.position = static_cast<float>(lo + step * (bin + 1));
       split.cost = cost(split.position, split.left, split.right);
       if (split.cost < best.cost && range.holds(split.position)) best = split;
@@ -67,15 +48,9 @@ class Bins {
   }
 
  private:
-  int bin(float x, int axis) const {
-    const float place = (x - lo_[axis]) * per_width_[axis];
-    return static_cast<int>(std::clamp(place, 0.0f, bin_count - 1.0f));
-  }
-
   const BuildJob& job_;
   const Aabb& cell_;
-  float lo_[3], per_width_[3];
-  std::array<std::array<std::uint32_t, 4>, bin_count> starts_{}, ends_{};
+  BinCounts counts_;
 };
 
 /// What lies around a plane: the nearest sides of boxes, and how many touch it from either side.
