@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/viewer/panels/status_bar.h"
 #include "core/base/file.h"
 
 namespace bspview {
@@ -108,6 +109,7 @@ std::string export_state(const App& app) {
   const State& state = app.state();
   const Results& results = app.results();
   json node{{"busy", app.busy()},
+            {"work", work_text(results)},
             {"scene", scene_json(results)},
             {"build", build_json(state.build)},
             {"tree", tree_json(results)},

@@ -130,6 +130,22 @@ TEST(Window, ATooltipAppearsWhileThePointerRests) {
       [&](const json&) { return different_pixels(without, play.client().screen()) > 5000; }));
 }
 
+TEST(Window, ALongBuildShowsHowFarItIsWithoutAnyEvent) {
+  StagePlay play({"spd:gears:9", "--threads", "1", "--size", "960x600"});
+  const auto is_building = [](const std::string& work) {
+    return work.starts_with("building tree, ") && work != "building tree, 0 %";
+  };
+  std::string first;
+  ASSERT_TRUE(play.wait_for([&](const json& state) {
+    first = state["work"];
+    return is_building(first);
+  })) << play.output();
+  EXPECT_TRUE(play.wait_for([&](const json& state) {
+    const std::string work = state["work"];
+    return is_building(work) && work != first;
+  })) << first;
+}
+
 TEST(Window, ATreeMayGrowAgainWhileAPixelIsPicked) {
   StagePlay play({"spd:balls:2", "--size", "960x600"});
   ASSERT_TRUE(play.wait_until_idle()) << play.output();
