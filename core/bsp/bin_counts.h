@@ -10,7 +10,7 @@ namespace bspview {
 
 /// Bins of equal width on the three axes of a cell, and how many boxes begin and end in each.
 struct BinCounts {
-  static constexpr int bins = 32;
+  static constexpr int bins = 64;
   using ByAxis = std::array<std::uint32_t, 4>;  ///< the last one counts for nothing
 
   explicit BinCounts(const Aabb& cell);

@@ -41,7 +41,7 @@ class Bins {
       split.left += counts_.starts[bin][axis];
       split.right -= counts_.ends[bin][axis];
       split.position = static_cast<float>(lo + step * (bin + 1));
-      split.cost = cost(split.position, split.left, split.right);
+      split.cost = cost.divided(split.position, split.position, split.left, split.right);
       if (split.cost < best.cost && range.holds(split.position)) best = split;
     }
     return best;
@@ -122,7 +122,7 @@ Split move_to_side(const BuildJob& job, std::span<const ObjectPart> parts, const
   const SplitCost cost(job.costs, cell, plane.axis);
   Split best{.axis = plane.axis, .cost = std::numeric_limits<double>::infinity()};
   const auto try_plane = [&](float position, std::uint32_t left, std::uint32_t right) {
-    const double here = cost(position, left, right);
+    const double here = cost.divided(position, position, left, right);
     if (range.holds(position) && here < best.cost) best = {plane.axis, position, left, right, here};
   };
   try_plane(plane.position, around.left, around.right);
@@ -147,7 +147,7 @@ Split cheapest_of_bins(const BuildJob& job, std::span<const ObjectPart> parts, c
     const Split moved = move_to_side(job, parts, cell, plane);
     if (moved.cost < best.cost) best = moved;
   }
-  return best;
+  return with_cost_of_leaves(job, cell, best);
 }
 
 }  // namespace bspview

@@ -74,6 +74,13 @@ ObjectParts placeable_objects(const BuildJob& job) {
   return parts;
 }
 
+Split with_cost_of_leaves(const BuildJob& job, const Aabb& cell, Split split) {
+  if (!std::isfinite(split.cost)) return split;
+  const SplitCost cost(job.costs, cell, split.axis);
+  split.cost = cost(split.position, split.left, split.right);
+  return split;
+}
+
 PlaneRange::PlaneRange(const BuildJob& job, const Aabb& cell, int axis)
     : first_(round_up(cell.lo[axis] + job.min_width)),
       last_(round_down(cell.hi[axis] - job.min_width)) {}

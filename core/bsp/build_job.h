@@ -113,6 +113,9 @@ struct Split {
   double cost = 0.0;  ///< expected, in the units of the job's costs; 0 where the rule knows none
 };
 
+/// The same, with the cost of both sides as leaves, which says whether it pays.
+Split with_cost_of_leaves(const BuildJob& job, const Aabb& cell, Split split);
+
 /// A split with the cell that it divides.
 struct CellSplit : Split {
   CellSplit(const Split& split, const Aabb& whole)

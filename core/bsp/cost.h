@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
 
 #include "core/bsp/tree.h"
@@ -20,6 +22,31 @@ struct CostModel {
 /// counts as 0.
 CostModel cost_model(const BuildParams& params, float cost_intersection);
 
+/// What `objects` that a plane leaves on one side are expected to cost, in tests of one. A leaf of
+/// many would cost as many, but they are divided further: to count them all makes planes that put a
+/// few objects into large cells, only to cut a little off what holds the most. That many objects
+/// cost their number to the power of 0.7 makes trees of the least expected cost on the standard
+/// scenes (0.6 to 0.9 were tried; between powers of two it is a line).
+inline double tests_below(std::uint32_t objects) {
+  struct Line {
+    double at_0 = 0.0, slope = 1.0;
+  };
+  static constexpr auto lines = [] {
+    constexpr std::uint32_t first_power = 6;  // up to 64 objects, all count
+    std::array<Line, 32> from_power;
+    double number = 1u << first_power, tests = number;
+    for (std::uint32_t power = first_power; power < from_power.size(); ++power) {
+      const double twice = 1.6245047927124710 * tests;  // 2^0.7
+      from_power[power] = {2.0 * tests - twice, (twice - tests) / number};
+      number *= 2.0;
+      tests = twice;
+    }
+    return from_power;
+  }();
+  const Line& line = lines[static_cast<std::uint32_t>(std::bit_width(objects | 1u)) - 1];
+  return line.at_0 + line.slope * objects;
+}
+
 /// Cost of splitting one cell on one axis, when both children become leaves.
 /// After MacDonald & Booth 1990, "Heuristics for ray tracing using space subdivision".
 struct SplitCost {
@@ -27,15 +54,19 @@ struct SplitCost {
 
   /// `left` and `right` objects touch the two sides of the plane at `position`.
   double operator()(double position, std::uint32_t left, std::uint32_t right) const {
-    return at_least(position, position, left, right);
+    return of_tests(position, position, left, right);
   }
 
-  /// No plane from `first` to `last` costs less, rounding included, if at least `left` and `right`
-  /// objects touch the sides of all of them.
-  double at_least(double first, double last, std::uint32_t left, std::uint32_t right) const {
+  /// The same when they are divided further. No plane from `first` to `last` costs less, rounding
+  /// included, if at least `left` and `right` objects touch the sides of all of them.
+  double divided(double first, double last, std::uint32_t left, std::uint32_t right) const {
+    return of_tests(first, last, tests_below(left), tests_below(right));
+  }
+
+  double of_tests(double first, double last, double left, double right) const {
     const double tests = left * (caps + rim * (first - lo)) + right * (caps + rim * (hi - last));
     const double cost = traversal + tests;
-    return left == 0 || right == 0 ? cost * empty_factor : cost;
+    return left == 0.0 || right == 0.0 ? cost * empty_factor : cost;
   }
 
   double lo, hi;     ///< of the cell

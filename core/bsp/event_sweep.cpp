@@ -71,7 +71,8 @@ class AxisSweep {
     for (std::size_t first = 0; first < events.size(); first += length) {
       const auto some = events.subspan(first, std::min(length, events.size() - first));
       const Event event = some.front();
-      least = std::min(least, cost_(event.position(), last_.left, last_.right - event.is_end()));
+      const double here = event.position();
+      least = std::min(least, cost_.divided(here, here, last_.left, last_.right - event.is_end()));
       stretches_[stretch_count_++] = {some, last_, pass(last_, some)};
       last_ = stretches_[stretch_count_ - 1].behind;
     }
@@ -79,8 +80,8 @@ class AxisSweep {
   }
 
   double least_cost(const Stretch& stretch) const {
-    return cost_.at_least(stretch.events.front().position(), stretch.events.back().position(),
-                          stretch.before.left, stretch.behind.right);
+    return cost_.divided(stretch.events.front().position(), stretch.events.back().position(),
+                         stretch.before.left, stretch.behind.right);
   }
 
   void sweep(const Stretch& stretch) {
@@ -94,7 +95,7 @@ class AxisSweep {
   }
 
   void try_plane(float position, Sides sides) {
-    const double cost = cost_(position, sides.left, sides.right);
+    const double cost = cost_.divided(position, position, sides.left, sides.right);
     if (cost < best_.cost) best_ = {best_.axis, position, sides.left, sides.right, cost};
   }
 
@@ -118,7 +119,7 @@ Split cheapest_of_events(const BuildJob& job, const EventList& list, const Aabb&
   std::array<Split, 3> splits;
   for_each_axis(list.count(),
                 [&](int axis) { splits[axis] = sweeps[axis].find_cheapest(least_of_all); });
-  return *std::ranges::min_element(splits, {}, &Split::cost);
+  return with_cost_of_leaves(job, cell, *std::ranges::min_element(splits, {}, &Split::cost));
 }
 
 }  // namespace bspview

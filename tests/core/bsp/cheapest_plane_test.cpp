@@ -9,7 +9,8 @@
 namespace bspview {
 namespace {
 
-/// By definition: every plane next to a side of a box, and the outermost ones in range.
+/// By definition: every plane next to a side of a box, and the outermost ones in range, where both
+/// sides are divided further; priced as leaves.
 Split cheapest_of_all(const BuildJob& job, std::span<const ObjectPart> parts) {
   Split best{.cost = std::numeric_limits<double>::infinity()};
   for (int axis = 0; axis < 3; ++axis) {
@@ -27,11 +28,11 @@ Split cheapest_of_all(const BuildJob& job, std::span<const ObjectPart> parts) {
         split.left += part.box.lo[axis] <= plane;
         split.right += part.box.hi[axis] >= plane;
       }
-      split.cost = cost(plane, split.left, split.right);
+      split.cost = cost.divided(plane, plane, split.left, split.right);
       if (range.holds(plane) && split.cost < best.cost) best = split;
     }
   }
-  return best;
+  return with_cost_of_leaves(job, job.box, best);
 }
 
 /// A job over some boxes, in a cell of their own.

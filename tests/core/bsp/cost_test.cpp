@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace bspview {
 namespace {
 
@@ -12,6 +14,20 @@ TEST(SplitCost, WeighsBothSidesByTheirArea) {
   // Half areas: 4 * 2 + 2 * 1 + 1 * 4 = 14; left of x = 1: 2 + 2 + 1 = 5; right: 6 + 2 + 3 = 11.
   const SplitCost cost(model, cell, 0);
   EXPECT_NEAR(cost(1.0, 3, 4), 1.0 + 2.0 * (3 * 5.0 + 4 * 11.0) / 14.0, 1e-12);
+}
+
+TEST(SplitCost, ManyObjectsThatAreDividedFurtherCostLessThanInALeaf) {
+  for (std::uint32_t count = 0; count <= 64; ++count) EXPECT_EQ(tests_below(count), count);
+  EXPECT_DOUBLE_EQ(tests_below(1u << 16), 65536.0 * std::pow(0x1p-10, 0.3));
+  double before = 64.0, step = 1.0;
+  for (std::uint32_t count = 65; count < 5000; ++count) {
+    const double tests = tests_below(count);
+    EXPECT_LE(tests - before, step + 1e-9) << count;  // less and less for one more
+    EXPECT_GT(tests, before) << count;
+    step = tests - before;
+    before = tests;
+  }
+  EXPECT_GT(tests_below(0xffffffffu), tests_below(0x80000000u));
 }
 
 TEST(SplitCost, CutsOffEmptySpaceCheaply) {
