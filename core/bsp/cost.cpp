@@ -29,7 +29,8 @@ SplitCost::SplitCost(const CostModel& model, const Aabb& cell, int axis)
     : lo(cell.lo[axis]),
       hi(cell.hi[axis]),
       traversal(model.traversal),
-      empty_factor(model.empty_factor) {
+      empty_factor(model.empty_factor),
+      counts_all(model.counts_all) {
   const Vec3d d = extent_in_double(cell);
   const double u = d[(axis + 1) % 3];
   const double v = d[(axis + 2) % 3];

@@ -14,6 +14,7 @@ struct CostModel {
   double traversal = 0.0;
   double intersection = 0.0;
   double empty_factor = 1.0;  ///< of the cost of a split with one empty side
+  bool counts_all = false;    ///< sides that are divided further cost what leaves would
 
   double leaf(std::size_t objects) const { return intersection * static_cast<double>(objects); }
 };
@@ -60,6 +61,7 @@ struct SplitCost {
   /// The same when they are divided further. No plane from `first` to `last` costs less, rounding
   /// included, if at least `left` and `right` objects touch the sides of all of them.
   double divided(double first, double last, std::uint32_t left, std::uint32_t right) const {
+    if (counts_all) return of_tests(first, last, left, right);
     return of_tests(first, last, tests_below(left), tests_below(right));
   }
 
@@ -72,6 +74,7 @@ struct SplitCost {
   double lo, hi;     ///< of the cell
   double caps, rim;  ///< of the two faces parallel to the plane; of the others, a unit of length
   double traversal, empty_factor;
+  bool counts_all;
 };
 
 /// Probability that a ray that crosses `cell` also crosses `part` of it: the ratio of their areas,

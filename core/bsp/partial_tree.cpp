@@ -18,6 +18,13 @@ std::size_t deferred_size(std::size_t objects) {
   return std::max(most_tested_objects, objects / share);
 }
 
+/// Prepares a job of so many objects. Planes that cut little off what holds the most leave less to
+/// build where rays go; only trees of `sah` need not be those of build_tree.
+void put_off(BuildJob& job, Builder builder, std::size_t objects) {
+  job.deferred_size = deferred_size(objects);
+  job.costs.counts_all = job.deferred_size > 0 && builder == Builder::sah;
+}
+
 GrowTree* upper_rule(Builder builder) {
   return rule_of(builder == Builder::sah ? Builder::sah_binned : builder);
 }
@@ -49,7 +56,7 @@ Result<PartialTree> build_partial_tree(const BuildInput& input, const BuildParam
     PartialTree partial;
     with_threads(params.threads, [&] {
       BuildJob job = make_job(input, params, root_box(input, stop), stop);
-      job.deferred_size = deferred_size(input.boxes.size());
+      put_off(job, params.builder, input.boxes.size());
       partial = grow_partial(job, params, [&] { return placeable_objects(job); });
     });
     partial.tree.build_seconds = timer.seconds();
@@ -67,7 +74,7 @@ Result<PartialTree> build_deferred(const BuildInput& input, const Tree& whole,
     BuildJob job = make_job(input, params, whole.box, {});
     job.box = leaf.place.cell;
     job.depth = leaf.place.depth;
-    job.deferred_size = deferred_size(leaf.parts.size());
+    put_off(job, params.builder, leaf.parts.size());
     PartialTree partial;
     with_threads(1, [&] { partial = grow_partial(job, whole.params, [&] { return leaf.parts; }); });
     partial.tree.build_seconds = timer.seconds();
