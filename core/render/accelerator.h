@@ -24,7 +24,9 @@ struct WideLeaf {
 class Accelerator {
  public:
   const WideTree& tree() const { return tree_; }
-  const TriangleBlock* blocks() const { return blocks_.data(); }
+  std::span<const TriangleBlock> blocks(const WideLeaf& leaf) const {
+    return {blocks_.data() + leaf.first_block, leaf.block_count};
+  }
   std::span<const std::uint32_t> others(const WideLeaf& leaf) const {
     return std::span(others_).subspan(leaf.first_other, leaf.other_count);
   }

@@ -21,9 +21,6 @@ namespace bspview::HWY_NAMESPACE {
 
 constexpr int most = RayLanes::most;
 
-/// Blocks of a leaf that a packet meets together.
-constexpr std::size_t blocks_at_once = 8;
-
 /// So many rays meet a block one by one: what they pass as a whole is not worth finding out.
 constexpr std::size_t few = 2;
 
@@ -221,38 +218,14 @@ class Packet {
 
   template <bool any>
   HWY_INLINE void meet_leaf(const Accelerator& accelerator, const WideLeaf& leaf, unsigned lanes) {
-    const std::span blocks(accelerator.blocks() + leaf.first_block, leaf.block_count);
-    for (std::size_t first = 0; first < blocks.size(); first += blocks_at_once) {
-      meet_blocks<any>(blocks.subspan(first, std::min(blocks_at_once, blocks.size() - first)),
-                       lanes & rays_.active);
-    }
+    for_some_blocks(accelerator.blocks(leaf),
+                    [&](auto blocks) { meet_blocks<any>(blocks, lanes & rays_.active); });
     for (const std::uint32_t id : accelerator.others(leaf)) {
       for (unsigned rest = lanes & rays_.active; rest != 0;) {
         const int lane = take_lane(rest);
         keep<any>(lane, id, hit_object(world_.scene, id, query(lane), rule_));
       }
     }
-  }
-
-  /// The lanes of the rays that may pass through each triangle of a block, and that surely do.
-  struct BlockLanes {
-    unsigned possible[TriangleBlock::width] = {}, sure[TriangleBlock::width] = {};
-    unsigned slots = 0;  ///< with any
-  };
-
-  HWY_INLINE BlockLanes find_block_lanes(const TriangleBlock& block, unsigned lanes) const {
-    BlockLanes found;
-    while (lanes != 0) {
-      const int lane = take_lane(lanes);
-      BlockHits hits = find_triangles(block_ray(lane), block);
-      found.slots |= hits.possible;
-      for (; hits.possible != 0; hits.possible &= hits.possible - 1) {
-        const int slot = __builtin_ctz(hits.possible);
-        found.possible[slot] |= 1u << lane;
-        found.sure[slot] |= (hits.sure >> slot & 1u) << lane;
-      }
-    }
-    return found;
   }
 
   HWY_INLINE BlockRay block_ray(int lane) const {
@@ -273,7 +246,7 @@ class Packet {
     std::size_t found = lane_tests + 1;
     if (hwy::PopCount(lanes) > few) found = interval_.list_places(blocks, places);
     if (found <= lane_tests) return meet_places<any>(blocks, std::span(places, found), lanes);
-    for (const TriangleBlock& block : blocks) meet_block_by_lane<any>(block, lanes & rays_.active);
+    meet_lane_by_lane<any>(blocks, lanes);
   }
 
   /// All lanes at once, triangle after triangle, named by place: block and slot. All tests before
@@ -302,11 +275,24 @@ class Packet {
   }
 
   template <bool any>
-  HWY_INLINE void meet_block_by_lane(const TriangleBlock& block, unsigned lanes) {
-    const BlockLanes found = find_block_lanes(block, lanes);
-    for (unsigned rest = found.slots; rest != 0;) {
-      const int slot = take_lane(rest);
-      settle_slot<any>(block, slot, {found.possible[slot], found.sure[slot]});
+  HWY_INLINE void meet_lane_by_lane(std::span<const TriangleBlock> blocks, unsigned lanes) {
+    BlocksHits hits[most];
+    std::uint64_t possible = 0;
+    for (unsigned rest = lanes; rest != 0;) {
+      const int lane = take_lane(rest);
+      hits[lane] = find_triangles(block_ray(lane), blocks);
+      possible |= hits[lane].possible;
+    }
+    for (; possible != 0; possible &= possible - 1) {
+      const int place = __builtin_ctzll(possible);
+      TriangleLanes found;
+      for (unsigned rest = lanes; rest != 0;) {
+        const int lane = take_lane(rest);
+        found.possible |= static_cast<unsigned>(hits[lane].possible >> place & 1u) << lane;
+        found.sure |= static_cast<unsigned>(hits[lane].sure >> place & 1u) << lane;
+      }
+      settle_slot<any>(blocks[static_cast<std::size_t>(place / TriangleBlock::width)],
+                       place % TriangleBlock::width, found);
     }
   }
 

@@ -68,13 +68,21 @@ class SingleRay {
  private:
   HWY_INLINE void meet_leaf(const Accelerator& accelerator, std::uint32_t child) {
     const WideLeaf leaf = accelerator.leaf(child);
-    const TriangleBlock* block = accelerator.blocks() + leaf.first_block;
-    for (std::uint32_t i = 0; i < leaf.block_count; ++i, ++block) {
-      const BlockHits hits = find_triangles(triangle_ray_, *block);
-      if (hits.possible != 0) meet_triangles(*block, hits);
+    for_some_blocks(accelerator.blocks(leaf), [&](auto blocks) { meet_blocks(blocks); });
+    if (leaf.other_count != 0 && !(any && best_)) meet_others(accelerator, leaf);
+  }
+
+  HWY_INLINE void meet_blocks(std::span<const TriangleBlock> blocks) {
+    if (any && best_) return;
+    BlocksHits hits = find_triangles(triangle_ray_, blocks);
+    while (hits.possible != 0) {
+      const int first = __builtin_ctzll(hits.possible) & ~(TriangleBlock::width - 1);
+      meet_triangles(blocks[static_cast<std::size_t>(first / TriangleBlock::width)],
+                     {static_cast<std::uint8_t>(hits.possible >> first),
+                      static_cast<std::uint8_t>(hits.sure >> first)});
       if (any && best_) return;
+      hits.possible &= ~(std::uint64_t{0xff} << first);
     }
-    if (leaf.other_count != 0) meet_others(accelerator, leaf);
   }
 
   HWY_INLINE void meet_others(const Accelerator& accelerator, const WideLeaf& leaf) {

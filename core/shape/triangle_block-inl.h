@@ -11,6 +11,9 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <span>
+
 #include "core/shape/triangle.h"
 #include "core/shape/triangle_block.h"
 
@@ -80,10 +83,39 @@ HWY_INLINE BlockHits find_triangles(const AnyRay& ray, const TriangleBlock& bloc
       return static_cast<unsigned>(bytes[0]) << first;
     };
     hits.possible |= bits(hn::Or(hn::Ge(least, below), hn::Le(greatest, bound)));
-    if (hits.possible == 0) continue;
     hits.sure |= bits(hn::Or(hn::Gt(least, bound), hn::Lt(greatest, below)));
   }
   return hits;
+}
+
+/// So many blocks are met together.
+inline constexpr std::size_t blocks_at_once = 8;
+
+/// The same of up to blocks_at_once blocks, a byte each, the first the lowest.
+struct BlocksHits {
+  std::uint64_t possible = 0, sure = 0;
+};
+
+/// All tests before any that depend on what they find: so the processor works on several at a time.
+template <class AnyRay>
+HWY_INLINE BlocksHits find_triangles(const AnyRay& ray, std::span<const TriangleBlock> blocks) {
+  BlocksHits all;
+  int place = 0;
+  for (const TriangleBlock& block : blocks) {
+    const BlockHits hits = find_triangles(ray, block);
+    all.possible |= std::uint64_t{hits.possible} << place;
+    all.sure |= std::uint64_t{hits.sure} << place;
+    place += TriangleBlock::width;
+  }
+  return all;
+}
+
+/// Calls work(some) for the blocks, blocks_at_once at a time.
+template <class Work>
+HWY_INLINE void for_some_blocks(std::span<const TriangleBlock> blocks, const Work& work) {
+  for (std::size_t first = 0; first < blocks.size(); first += blocks_at_once) {
+    work(blocks.subspan(first, std::min(blocks_at_once, blocks.size() - first)));
+  }
 }
 
 /// Slots whose triangles' planes a ray hits, and those where double cannot tell.

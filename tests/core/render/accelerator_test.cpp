@@ -31,8 +31,8 @@ struct Built {
   std::vector<TriangleBlock> blocks() const {
     std::vector<TriangleBlock> list;
     visit_leaves([&](const WideLeaf& leaf) {
-      const TriangleBlock* const first = accelerator->blocks() + leaf.first_block;
-      list.insert(list.end(), first, first + leaf.block_count);
+      const auto blocks = accelerator->blocks(leaf);
+      list.insert(list.end(), blocks.begin(), blocks.end());
     });
     return list;
   }
@@ -93,8 +93,7 @@ TEST(Accelerator, LeavesOfTrianglesOnlyFillTheirBlocks) {
   built.visit_leaves([&](const WideLeaf& leaf) {
     ASSERT_EQ(leaf.other_count, 0u);
     ASSERT_GE(leaf.block_count, 1u);
-    for (std::uint32_t i = 0; i < leaf.block_count; ++i) {
-      const TriangleBlock& block = built.accelerator->blocks()[leaf.first_block + i];
+    for (const TriangleBlock& block : built.accelerator->blocks(leaf)) {
       slots += TriangleBlock::width;
       used += static_cast<std::size_t>(TriangleBlock::width -
                                        std::ranges::count(block.object, no_index));
