@@ -202,7 +202,8 @@ class Accelerator::LeafMaker {
       whole.add(range);
       range = before;
     }
-    all_mixed_ = whole.blocks >= mixed_bit >> count_bits;
+    all_mixed_ = whole.blocks >= mixed_bit >> count_bits ||
+                 whole.others >= others_bit >> count_bits;
     if (all_mixed_) {
       for (std::size_t i = 0; i < ranges_.size(); ++i) ranges_[i].mixed = i * range_size;
       whole.mixed = leaves_.size();
@@ -227,7 +228,8 @@ class Accelerator::LeafMaker {
       if (is_triangle(scene_, id)) {
         next_slot(id);
       } else {
-        made_.others_[place.others++] = id;
+        const Object& object = scene_.objects[id];
+        made_.others_[place.others++] = {id, object.shape, static_cast<std::uint32_t>(object.kind)};
       }
     }
     while (triangles % TriangleBlock::width != 0) next_slot(no_index);
@@ -235,7 +237,9 @@ class Accelerator::LeafMaker {
     leaf.other_count = static_cast<std::uint32_t>(place.others) - leaf.first_other;
     place.blocks += leaf.block_count;
     if (!is_mixed(leaf.block_count, leaf.other_count)) {
-      return leaf.first_block << count_bits | leaf.block_count;
+      return leaf.other_count == 0
+                 ? leaf.first_block << count_bits | leaf.block_count
+                 : mixed_bit | others_bit | leaf.first_other << count_bits | leaf.other_count;
     }
     made_.mixed_[place.mixed] = leaf;
     return mixed_bit | static_cast<std::uint32_t>(place.mixed++);
@@ -244,7 +248,7 @@ class Accelerator::LeafMaker {
   std::uint32_t first_part() const { return static_cast<std::uint32_t>(scene_.objects.size()); }
 
   bool is_mixed(std::size_t blocks, std::size_t others) const {
-    return all_mixed_ || others > 0 || blocks > most_blocks;
+    return all_mixed_ || (blocks > 0 && others > 0) || blocks > most_blocks || others > most_blocks;
   }
 
   /// The leaves of the wide tree are named by their number so far.
@@ -264,14 +268,14 @@ class Accelerator::LeafMaker {
   const Scene& scene_;
   const WideLeaves& leaves_;
   Accelerator& made_;
-  bool all_mixed_ = false;          // there are more blocks than short names can tell apart
+  bool all_mixed_ = false;          // there is more than short names can tell apart
   std::vector<Sizes> ranges_;       // of leaves: sizes, then places
   RawVector<std::uint32_t> names_;  // by leaf, without the bit of leaves
 };
 
 std::size_t Accelerator::bytes() const {
   return tree_.bytes() + blocks_.size() * sizeof(TriangleBlock) +
-         others_.size() * sizeof(std::uint32_t) + mixed_.size() * sizeof(WideLeaf);
+         others_.size() * sizeof(LeafObject) + mixed_.size() * sizeof(WideLeaf);
 }
 
 std::shared_ptr<const Accelerator> Accelerator::lay_out(

@@ -12,6 +12,16 @@ namespace bspview {
 
 class LazyPart;
 
+/// An object in a leaf that is no triangle: what its test must know of it, in place.
+struct LeafObject {
+  std::uint32_t id;
+  std::uint32_t shape : 30;
+  std::uint32_t kind_number : 2;
+
+  ObjectKind kind() const { return static_cast<ObjectKind>(kind_number); }
+  bool operator==(const LeafObject&) const = default;
+};
+
 /// A leaf of the wide tree: blocks of triangles, and what else is in it.
 struct WideLeaf {
   std::uint32_t first_block = 0, block_count = 0;
@@ -27,7 +37,7 @@ class Accelerator {
   std::span<const TriangleBlock> blocks(const WideLeaf& leaf) const {
     return {blocks_.data() + leaf.first_block, leaf.block_count};
   }
-  std::span<const std::uint32_t> others(const WideLeaf& leaf) const {
+  std::span<const LeafObject> others(const WideLeaf& leaf) const {
     return std::span(others_).subspan(leaf.first_other, leaf.other_count);
   }
   /// What a child with WideNode::leaf_bit is if it is no leaf but a tree of its own; else null.
@@ -39,8 +49,10 @@ class Accelerator {
   std::span<const std::shared_ptr<const LazyPart>> parts() const { return parts_; }
   /// Of any other child with WideNode::leaf_bit.
   WideLeaf leaf(std::uint32_t child) const {
-    if (child & mixed_bit) return mixed_[child & ~(WideNode::leaf_bit | mixed_bit)];
-    return {(child & ~WideNode::leaf_bit) >> count_bits, child & most_blocks, 0, 0};
+    const std::uint32_t count = child & most_blocks;
+    if (!(child & mixed_bit)) return {(child & ~WideNode::leaf_bit) >> count_bits, count, 0, 0};
+    if (child & others_bit) return {0, 0, (child & (others_bit - 1)) >> count_bits, count};
+    return mixed_[child & (others_bit - 1)];
   }
   /// Of one leaf.
   static constexpr std::uint32_t most_blocks = (1u << 5) - 1u;
@@ -58,16 +70,18 @@ class Accelerator {
   friend std::shared_ptr<const Accelerator> make_accelerator(const World&, std::stop_token);
 
  private:
-  // The name of a leaf of triangles says which; others are in the list of mixed ones.
+  // The name of a leaf of nothing but triangles, or none, says which; the rest are in the list of
+  // mixed ones.
   static constexpr std::uint32_t mixed_bit = 0x40000000u;
   static constexpr std::uint32_t part_bits = mixed_bit | 0x20000000u;
+  static constexpr std::uint32_t others_bit = 0x10000000u;  // with mixed_bit
   static constexpr int count_bits = 5;
 
   class LeafMaker;
 
   WideTree tree_;
   RawVector<TriangleBlock> blocks_;
-  RawVector<std::uint32_t> others_;
+  RawVector<LeafObject> others_;
   RawVector<WideLeaf> mixed_;
   std::vector<std::shared_ptr<const LazyPart>> parts_;
   double build_seconds_ = 0.0;

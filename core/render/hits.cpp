@@ -29,7 +29,7 @@ HWY_INLINE Hit find_alone(const World& world, const Ray& ray, SideRule rule) {
   if (world.accelerator == nullptr || !is_plain(ray)) {
     return find_in_binary_tree<any>(world, ray, rule);
   }
-  return SingleRay<any>(world, ray, rule).trace([] {});
+  return trace_single_ray<any>(world, ray, rule, [] {});
 }
 
 /// Traces up to lane_count() rays; found(i, hit) takes the answers.
@@ -74,9 +74,9 @@ std::uint32_t count_leaves_here(const World& world, const Ray& ray, const TraceR
   if (!is_plain(ray)) return leaves;
   const auto visit = [&] { ++leaves; };
   if (any) {
-    SingleRay<true>(world, ray, rules.shadow_sides).trace(visit);
+    trace_single_ray<true>(world, ray, rules.shadow_sides, visit);
   } else {
-    SingleRay<false>(world, ray, rules.sides).trace(visit);
+    trace_single_ray<false>(world, ray, rules.sides, visit);
   }
   return leaves;
 }

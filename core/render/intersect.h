@@ -30,23 +30,27 @@ inline Sides visible_sides(const Scene& scene, const Object& object, SideRule ru
   return scene.materials[object.material].transmittance > 0.0f ? Sides::both : Sides::front;
 }
 
-/// Tests one object: the single place where a kind of object is told from another.
-inline double hit_object(const Scene& scene, std::uint32_t id, const RayQuery& ray, SideRule rule) {
-  const Object& object = scene.objects[id];
-  const Sides sides = visible_sides(scene, object, rule);
-  switch (object.kind) {
+/// Tests one shape: the single place where a kind of object is told from another.
+inline double hit_shape(const Scene& scene, ObjectKind kind, std::uint32_t shape,
+                        const RayQuery& ray, Sides sides) {
+  switch (kind) {
     case ObjectKind::triangle:
-      return hit_triangle(ray, &scene.vertices[scene.faces[object.shape].first_vertex], sides);
+      return hit_triangle(ray, &scene.vertices[scene.faces[shape].first_vertex], sides);
     case ObjectKind::polygon: {
-      const Face& face = scene.faces[object.shape];
+      const Face& face = scene.faces[shape];
       return hit_polygon(ray, vertices_of(scene, face), scene.planes[face.plane], sides);
     }
     case ObjectKind::sphere:
-      return hit_sphere(ray, scene.spheres[object.shape], sides);
+      return hit_sphere(ray, scene.spheres[shape], sides);
     case ObjectKind::cone:
       break;
   }
-  return hit_cone(ray, scene.cone_frames[object.shape], sides);
+  return hit_cone(ray, scene.cone_frames[shape], sides);
+}
+
+inline double hit_object(const Scene& scene, std::uint32_t id, const RayQuery& ray, SideRule rule) {
+  const Object& object = scene.objects[id];
+  return hit_shape(scene, object.kind, object.shape, ray, visible_sides(scene, object, rule));
 }
 
 /// The tests of all pictures. Another type with the same members tries other tests (core/eval).

@@ -220,10 +220,12 @@ class Packet {
   HWY_INLINE void meet_leaf(const Accelerator& accelerator, const WideLeaf& leaf, unsigned lanes) {
     for_some_blocks(accelerator.blocks(leaf),
                     [&](auto blocks) { meet_blocks<any>(blocks, lanes & rays_.active); });
-    for (const std::uint32_t id : accelerator.others(leaf)) {
+    for (const LeafObject& object : accelerator.others(leaf)) {
       for (unsigned rest = lanes & rays_.active; rest != 0;) {
         const int lane = take_lane(rest);
-        keep<any>(lane, id, hit_object(world_.scene, id, query(lane), rule_));
+        keep<any>(lane, object.id,
+                  hit_shape(world_.scene, object.kind(), object.shape, query(lane),
+                            visible_sides(world_.scene, world_.scene.objects[object.id], rule_)));
       }
     }
   }

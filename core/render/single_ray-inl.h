@@ -9,6 +9,7 @@
 #endif
 
 #include <optional>
+#include <type_traits>
 
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
@@ -42,8 +43,13 @@ struct TriangleRay : RayShear {
   float reach_error;
 };
 
-/// One ray on its way.
-template <bool any>
+/// A ray in a scene without triangles.
+struct NoTriangleRay {
+  HWY_INLINE NoTriangleRay(const Ray&, float) {}
+};
+
+/// One ray on its way: to anything, or to the nearest; in a scene with triangles, or without.
+template <bool any, bool triangles>
 class SingleRay {
  public:
   HWY_INLINE SingleRay(const World& world, const Ray& ray, SideRule rule)
@@ -68,7 +74,9 @@ class SingleRay {
  private:
   HWY_INLINE void meet_leaf(const Accelerator& accelerator, std::uint32_t child) {
     const WideLeaf leaf = accelerator.leaf(child);
-    for_some_blocks(accelerator.blocks(leaf), [&](auto blocks) { meet_blocks(blocks); });
+    if constexpr (triangles) {
+      for_some_blocks(accelerator.blocks(leaf), [&](auto blocks) { meet_blocks(blocks); });
+    }
     if (leaf.other_count != 0 && !(any && best_)) meet_others(accelerator, leaf);
   }
 
@@ -86,8 +94,9 @@ class SingleRay {
   }
 
   HWY_INLINE void meet_others(const Accelerator& accelerator, const WideLeaf& leaf) {
-    for (const std::uint32_t id : accelerator.others(leaf)) {
-      keep(id, hit_object(world_.scene, id, query(), rule_));
+    for (const LeafObject& object : accelerator.others(leaf)) {
+      keep(object.id,
+           hit_shape(world_.scene, object.kind(), object.shape, query(), sides_of(object.id)));
       if (any && best_) return;
     }
   }
@@ -140,11 +149,18 @@ class SingleRay {
   const SideRule rule_;
   const bool sees_backs_;
   const Ray& ray_;
-  const TriangleRay triangle_ray_;
+  const std::conditional_t<triangles, TriangleRay, NoTriangleRay> triangle_ray_;
   std::optional<RayQuery> query_;
   Hit best_;
   float reach_;
 };
+
+/// The nearest hit, or anything. visit() is told of each leaf.
+template <bool any, class Visit>
+HWY_INLINE Hit trace_single_ray(const World& world, const Ray& ray, SideRule rule, Visit&& visit) {
+  if (has_triangles(world.scene)) return SingleRay<any, true>(world, ray, rule).trace(visit);
+  return SingleRay<any, false>(world, ray, rule).trace(visit);
+}
 
 }  // namespace bspview::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

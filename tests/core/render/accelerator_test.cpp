@@ -36,8 +36,8 @@ struct Built {
     });
     return list;
   }
-  std::vector<std::uint32_t> others() const {
-    std::vector<std::uint32_t> list;
+  std::vector<LeafObject> others() const {
+    std::vector<LeafObject> list;
     visit_leaves([&](const WideLeaf& leaf) {
       list.insert(list.end(), accelerator->others(leaf).begin(), accelerator->others(leaf).end());
     });
@@ -57,7 +57,7 @@ TEST(Accelerator, IsTheSameForAnyNumberOfThreads) {
   for (const Scene& scene : scenes()) {
     const Built first(scene, {.threads = 1});
     const std::vector<TriangleBlock> blocks = first.blocks();
-    const std::vector<std::uint32_t> others = first.others();
+    const std::vector<LeafObject> others = first.others();
     for (const int threads : {2, 3, 8}) {
       const Built again(scene, {.threads = threads});
       const auto same = [](const auto& a, const auto& b) {
@@ -80,7 +80,7 @@ TEST(Accelerator, HoldsEveryObjectThatIsNotDegenerate) {
         if (id != no_index) is_there[id] = 1;
       }
     }
-    for (const std::uint32_t id : built.others()) is_there[id] = 1;
+    for (const LeafObject& object : built.others()) is_there[object.id] = 1;
     for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
       EXPECT_EQ(is_there[id] != 0, !is_degenerate(scene, id)) << "object " << id;
     }
