@@ -13,6 +13,7 @@
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
 #include "core/render/traverse_parts-inl.h"
+#include "core/shape/round_lanes-inl.h"
 #include "core/shape/shear_interval-inl.h"
 #include "core/shape/triangle_block-inl.h"
 
@@ -204,6 +205,8 @@ class Packet {
     const FloatV z = load(rays_.direction[rays_.kz]);
     hn::Store(hn::Div(load(rays_.direction[rays_.kx]), z), floats, rays_.shear_x);
     hn::Store(hn::Div(load(rays_.direction[rays_.ky]), z), floats, rays_.shear_y);
+    const LaneVectors d = directions(rays_);
+    hn::Store(hn::Sqrt(d.dot(d)), floats, rays_.length);
     rays_.active = rays.lanes;
     interval_ = ShearInterval(rays_, rays.lanes);
     for (int axis = 0; axis < 3; ++axis) {
@@ -221,13 +224,32 @@ class Packet {
     for_some_blocks(accelerator.blocks(leaf),
                     [&](auto blocks) { meet_blocks<any>(blocks, lanes & rays_.active); });
     for (const LeafObject& object : accelerator.others(leaf)) {
-      for (unsigned rest = lanes & rays_.active; rest != 0;) {
-        const int lane = take_lane(rest);
-        keep<any>(lane, object.id,
-                  hit_shape(world_.scene, object.kind(), object.shape, query(lane),
-                            visible_sides(world_.scene, world_.scene.objects[object.id], rule_)));
-      }
+      meet_object<any>(object, lanes & rays_.active);
     }
+  }
+
+  template <bool any>
+  HWY_INLINE void meet_object(const LeafObject& object, unsigned lanes) {
+    const Scene& scene = world_.scene;
+    if (hwy::PopCount(lanes) > few) lanes &= lanes_near(object);
+    while (lanes != 0) {
+      const int lane = take_lane(lanes);
+      keep<any>(lane, object.id,
+                hit_shape(scene, object.kind(), object.shape, query(lane),
+                          visible_sides(scene, scene.objects[object.id], rule_)));
+    }
+  }
+
+  /// The lanes whose rays may hit an object, and perhaps more.
+  HWY_INLINE unsigned lanes_near(const LeafObject& object) const {
+    const Scene& scene = world_.scene;
+    if (object.kind() == ObjectKind::sphere) {
+      return lanes_near_sphere(rays_, scene.spheres[object.shape]);
+    }
+    if (object.kind() == ObjectKind::cone) {
+      return lanes_near_cone(rays_, scene.cones[object.shape]);
+    }
+    return ~0u;
   }
 
   HWY_INLINE BlockRay block_ray(int lane) const {

@@ -11,6 +11,7 @@ struct alignas(64) RayLanes {
 
   float origin[3][most], direction[3][most];
   float t_min[most], t_max[most];
+  float length[most];                  ///< of the directions
   float shear_x[most], shear_y[most];  ///< as in RayQuery
   int kx, ky, kz;
   float reach_error;    ///< of the farthest-reaching
