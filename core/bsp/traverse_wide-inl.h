@@ -37,6 +37,7 @@ inline constexpr float hit_margin = 1.0f + 16.0f * plane_error;
 
 /// What the walk needs of a ray: t_min >= 0, a finite origin, a direction of a size near 1.
 struct WideRay {
+  WideRay() = default;
   HWY_INLINE explicit WideRay(const Ray& ray)
       : origin(ray.origin), inverse(1.0f / ray.direction), t_min(ray.t_min) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -166,19 +167,24 @@ HWY_INLINE std::uint32_t go_down(const WideTree& tree, const WideRay& ray, float
   return child;
 }
 
-/// Visits the leaves along the ray, nearest first; leaf(child) tests the objects and may make
-/// `reach` less, below 0 to end the walk.
+/// Visits the leaves along the ray below a node, nearest first; leaf(child) tests the objects and
+/// may make `reach` less, below 0 to end the walk.
 template <class Leaf>
-HWY_INLINE void traverse_wide(const WideTree& tree, const WideRay& ray, const float& reach,
-                              Leaf&& leaf) {
+HWY_INLINE void traverse_wide_from(const WideTree& tree, const WideRay& ray, const float& reach,
+                                   std::uint32_t child, Leaf&& leaf) {
   WideStack stack;
-  std::uint32_t child = 0;
   for (;;) {
     child = go_down(tree, ray, reach, child, stack);
     if (child == WideStack::bottom) return;
     leaf(child);
     child = stack.pop_child(reach);
   }
+}
+
+template <class Leaf>
+HWY_INLINE void traverse_wide(const WideTree& tree, const WideRay& ray, const float& reach,
+                              Leaf&& leaf) {
+  traverse_wide_from(tree, ray, reach, 0, leaf);
 }
 
 }  // namespace bspview::HWY_NAMESPACE

@@ -22,7 +22,21 @@ struct alignas(64) PacketWalk {
   float reach[RayLanes::most];  ///< cells behind are of no use; the leaves make it less, or -inf
   const float (*origin)[RayLanes::most];
   int near_row[3];  ///< of WideNode::bounds
+
+  HWY_INLINE WideRay ray(int lane) const {
+    WideRay one;
+    for (int axis = 0; axis < 3; ++axis) {
+      one.origin[axis] = origin[axis][lane];
+      one.inverse[axis] = inverse[axis][lane];
+      one.near_row[axis] = near_row[axis];
+    }
+    one.t_min = t_min[lane];
+    return one;
+  }
 };
+
+/// So many rays, and fewer, go down alone: their cells have little in common.
+constexpr std::size_t few_on_the_way = 3;
 
 /// All rays of a packet as one: intervals of their origins and of their reciprocals. Rounding is
 /// monotonic, so that no ray passes a cell that the interval misses.
@@ -89,6 +103,17 @@ HWY_INLINE unsigned find_lanes(const PacketWalk& walk, const WideNode& node, int
   return bits_of(floats, hn::Le(first, hn::Mul(last, all(passing))));
 }
 
+/// Visits the leaves below a node, ray by ray.
+template <class Leaf>
+HWY_NOINLINE void go_alone(const WideTree& tree, const PacketWalk& walk, unsigned lanes,
+                           std::uint32_t node, Leaf& leaf) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = __builtin_ctz(lanes);
+    traverse_wide_from(tree, walk.ray(lane), walk.reach[lane], node,
+                       [&](std::uint32_t child) { leaf(child, 1u << lane); });
+  }
+}
+
 /// Visits the leaves that some rays pass, nearest first; leaf(child, lanes) tests the objects.
 template <class Leaf>
 HWY_INLINE void traverse_wide_packet(const WideTree& tree, const PacketWalk& walk, unsigned lanes,
@@ -112,8 +137,13 @@ HWY_INLINE void traverse_wide_packet(const WideTree& tree, const PacketWalk& wal
       const unsigned passing_lanes = find_lanes(walk, node, slot);
       if (passing_lanes == 0) continue;
       index = node.child[slot];
-      if (!(index & WideNode::leaf_bit)) break;
-      leaf(index, passing_lanes);
+      if (index & WideNode::leaf_bit) {
+        leaf(index, passing_lanes);
+      } else if (hwy::PopCount(passing_lanes) <= few_on_the_way) {
+        go_alone(tree, walk, passing_lanes, index, leaf);
+      } else {
+        break;
+      }
       reach = farthest();
     }
   }
