@@ -12,29 +12,16 @@
 
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
+#include "core/render/packet_rays-inl.h"
 #include "core/render/traverse_parts-inl.h"
-#include "core/shape/round_lanes-inl.h"
 #include "core/shape/shear_interval-inl.h"
 #include "core/shape/triangle_block-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bspview::HWY_NAMESPACE {
 
-constexpr int most = RayLanes::most;
-
 /// So many rays meet a block one by one: what they pass as a whole is not worth finding out.
 constexpr std::size_t few = 2;
-
-HWY_INLINE int lane_count() {
-  return static_cast<int>(hn::Lanes(floats));
-}
-
-/// The lowest lane of a set, which loses it.
-HWY_INLINE int take_lane(unsigned& lanes) {
-  const int lane = __builtin_ctz(lanes);
-  lanes &= lanes - 1;
-  return lane;
-}
 
 /// Rays of one direction class on their way through a tree.
 class Packet {
@@ -43,69 +30,19 @@ class Packet {
     walk_.origin = rays_.origin;
   }
 
-  /// Takes rays in, at most one a lane. Answers the lanes of those that packets can hold; the
-  /// others are no rays, start before their origin, or have a component whose reciprocal could
-  /// overflow, or a reach whose square could.
+  /// As PacketRays::load_rays.
   unsigned load_rays(std::span<const Ray> rays) {
-    const int count = static_cast<int>(rays.size());
-    if (count == lane_count()) {
-      transpose(rays.data());
-    } else {
-      Ray padded[most];
-      std::fill(std::copy(rays.begin(), rays.end(), padded), std::end(padded), rays.back());
-      transpose(padded);
-    }
-    std::fill_n(best_t_, most, no_hit);
-    std::fill_n(best_object_, most, no_index);
-    for (; has_query_ != 0;) queries_[take_lane(has_query_)].reset();
-    classes_ = find_classes();
-    const unsigned plain = find_plain_rays() & ((1u << count) - 1u);
-    find_reach(plain);
-    return rays_.reach_error < 0x1p30f ? plain : 0u;
+    std::fill_n(best_t_, RayLanes::most, no_hit);
+    std::fill_n(best_object_, RayLanes::most, no_index);
+    while (has_query_ != 0) queries_[take_lane(has_query_)].reset();
+    return rays_.load_rays(rays, world_.tree.box);
   }
 
-  /// Lanes whose rays run the same way.
-  struct Class {
-    unsigned lanes;
-    int main_axis;
-    unsigned negative;  ///< bit axis
-  };
-  /// Calls work(rays) for the classes of `lanes` that are worth it; answers the lanes of the
-  /// others.
-  template <class Work>
-  unsigned for_each_class(unsigned lanes, const Work& work) const {
-    constexpr int fewest = 3;  // fewer are faster one by one
-    unsigned alone = 0;
-    while (lanes != 0) {
-      const Class next = class_among(lanes);
-      lanes &= ~next.lanes;
-      if (hwy::PopCount(next.lanes) < fewest) {
-        alone |= next.lanes;
-      } else {
-        work(next);
-      }
-    }
-    return alone;
-  }
-
-  /// The class of the lowest of `lanes`.
-  Class class_among(unsigned lanes) const {
-    const int lowest = __builtin_ctz(lanes);
-    const auto has = [&](unsigned set) { return (set >> lowest & 1u) != 0; };
-    const auto same = [&](unsigned set) { return has(set) ? set : ~set; };
-    Class found{lanes & same(classes_.x_is_main) & same(classes_.y_is_main), 2, 0};
-    if (has(classes_.x_is_main)) found.main_axis = 0;
-    if (has(classes_.y_is_main)) found.main_axis = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      found.lanes &= same(classes_.negative[axis]);
-      found.negative |= (classes_.negative[axis] >> lowest & 1u) << axis;
-    }
-    return found;
-  }
+  const PacketRays& rays() const { return rays_; }
 
   /// Finds what the rays of a class hit: the nearest, or anything.
   template <bool any>
-  void trace(const Class& rays) {
+  void trace(const RayClass& rays) {
     set_class(rays);
     const auto meet = [this](const Accelerator& accelerator, std::uint32_t child, unsigned lanes) {
       meet_leaf<any>(accelerator, accelerator.leaf(child), lanes);
@@ -115,7 +52,7 @@ class Packet {
 
   /// The walk alone, each lane to its end; none: makes ready, no more. Answers the names of the
   /// leaves, added up.
-  std::uint64_t walk(const Class& rays, std::span<const float> ends) {
+  std::uint64_t walk(const RayClass& rays, std::span<const float> ends) {
     set_class(rays);
     std::uint64_t sum = 0;
     if (ends.empty()) return sum;
@@ -131,83 +68,9 @@ class Packet {
   Hit best(int lane) const { return {best_t_[lane], best_object_[lane], no_leaf}; }
 
  private:
-  /// Takes in as many rays as there are lanes.
-  HWY_INLINE void transpose(const Ray* rays) {
-    float* const fields[] = {rays_.origin[0],    rays_.origin[1],    rays_.origin[2],
-                             rays_.direction[0], rays_.direction[1], rays_.direction[2],
-                             rays_.t_min,        rays_.t_max};
-    static_assert(sizeof(Ray) == sizeof(fields) / sizeof(float*) * sizeof(float));
-    const auto* const values = reinterpret_cast<const float*>(rays);
-#if HWY_TARGET == HWY_SCALAR
-    for (int i = 0; i < 8; ++i) *fields[i] = values[i];
-#else
-    FloatV low[4], high[4];
-    hn::LoadInterleaved4(floats, values, low[0], low[1], low[2], low[3]);
-    hn::LoadInterleaved4(floats, values + 4 * lane_count(), high[0], high[1], high[2], high[3]);
-    for (int i = 0; i < 4; ++i) {
-      hn::Store(hn::ConcatEven(floats, high[i], low[i]), floats, fields[i]);
-      hn::Store(hn::ConcatOdd(floats, high[i], low[i]), floats, fields[4 + i]);
-    }
-#endif
-  }
-
-  /// Lanes whose directions are alike: by sign, and by the axis of the largest component.
-  struct Classes {
-    unsigned negative[3], x_is_main, y_is_main;
-  };
-  Classes find_classes() const {
-    Classes classes;
-    FloatV size[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const FloatV d = load(rays_.direction[axis]);
-      size[axis] = hn::Abs(d);
-      const auto sign = hn::BitCast(hn::RebindToSigned<Floats>(), d);
-      classes.negative[axis] = bits_of(
-          floats, hn::RebindMask(floats, hn::Lt(sign, hn::Zero(hn::DFromV<decltype(sign)>()))));
-    }
-    const unsigned xy = bits_of(floats, hn::Gt(size[0], size[1]));
-    classes.x_is_main = xy & bits_of(floats, hn::Gt(size[0], size[2]));
-    classes.y_is_main = ~xy & bits_of(floats, hn::Gt(size[1], size[2]));
-    return classes;
-  }
-
-  unsigned find_plain_rays() const {
-    const FloatV t_min = load(rays_.t_min), infinity = all(std::numeric_limits<float>::infinity());
-    auto plain = hn::And(hn::Ge(t_min, hn::Zero(floats)), hn::Lt(t_min, load(rays_.t_max)));
-    FloatV largest = hn::Zero(floats);
-    for (int axis = 0; axis < 3; ++axis) {
-      const FloatV size = hn::Abs(load(rays_.direction[axis]));
-      plain = hn::And(plain, hn::Lt(size, all(0x1p20f)));
-      plain = hn::And(plain, hn::Gt(size, all(0x1p-100f)));
-      plain = hn::And(plain, hn::Lt(hn::Abs(load(rays_.origin[axis])), infinity));
-      largest = hn::Max(largest, size);
-    }
-    return bits_of(floats, hn::And(plain, hn::Gt(largest, all(0x1p-20f))));
-  }
-
-  void find_reach(unsigned lanes) {
-    FloatV reach = hn::Zero(floats);
-    for (int axis = 0; axis < 3; ++axis) {
-      const FloatV origin = load(rays_.origin[axis]);
-      const FloatV below = hn::Abs(hn::Sub(all(world_.tree.box.lo[axis]), origin));
-      const FloatV above = hn::Abs(hn::Sub(all(world_.tree.box.hi[axis]), origin));
-      reach = hn::Max(reach, hn::Max(below, above));
-    }
-    reach = hn::IfThenElseZero(mask_of(floats, lanes), reach);
-    rays_.reach_error = unit_roundoff * hn::GetLane(hn::MaxOfLanes(floats, reach));
-  }
-
-  void set_class(const Class& rays) {
+  void set_class(const RayClass& rays) {
     constexpr float inf = std::numeric_limits<float>::infinity();
-    rays_.kz = rays.main_axis;
-    rays_.kx = rays_.kz == 2 ? 0 : rays_.kz + 1;
-    rays_.ky = rays_.kx == 2 ? 0 : rays_.kx + 1;
-    const FloatV z = load(rays_.direction[rays_.kz]);
-    hn::Store(hn::Div(load(rays_.direction[rays_.kx]), z), floats, rays_.shear_x);
-    hn::Store(hn::Div(load(rays_.direction[rays_.ky]), z), floats, rays_.shear_y);
-    const LaneVectors d = directions(rays_);
-    hn::Store(hn::Sqrt(d.dot(d)), floats, rays_.length);
-    rays_.active = rays.lanes;
+    rays_.turn_to(rays);
     interval_ = ShearInterval(rays_, rays.lanes);
     for (int axis = 0; axis < 3; ++axis) {
       walk_.near_row[axis] = 2 * axis + static_cast<int>(rays.negative >> axis & 1u);
@@ -300,7 +163,7 @@ class Packet {
 
   template <bool any>
   HWY_INLINE void meet_lane_by_lane(std::span<const TriangleBlock> blocks, unsigned lanes) {
-    BlocksHits hits[most];
+    BlocksHits hits[RayLanes::most];
     std::uint64_t possible = 0;
     for (unsigned rest = lanes; rest != 0;) {
       const int lane = take_lane(rest);
@@ -406,13 +269,12 @@ class Packet {
 
   const World& world_;
   SideRule rule_;
-  RayLanes rays_;
+  PacketRays rays_;
   PacketWalk walk_;
   ShearInterval interval_;
-  Classes classes_;
-  alignas(64) double best_t_[most];
-  alignas(64) std::uint32_t best_object_[most];
-  std::optional<RayQuery> queries_[most];
+  alignas(64) double best_t_[RayLanes::most];
+  alignas(64) std::uint32_t best_object_[RayLanes::most];
+  std::optional<RayQuery> queries_[RayLanes::most];
   unsigned has_query_ = 0;
 };
 
