@@ -11,12 +11,12 @@ namespace bspview {
 /// What can be said of a tree without a ray.
 struct TreeStats {
   std::uint64_t nodes = 0, inner = 0, leaves = 0, empty_leaves = 0, references = 0;
-  int deepest_leaf = 0;               ///< the root has depth 0
-  double full_volume = 0.0;           ///< of the non-empty leaves
-  double volume = 0.0;                ///< of the root
-  double expected_cost = 0.0;         ///< SAH, in the units of the params' costs
-  std::vector<std::uint64_t> leaves_at_depth;   ///< index: depth
-  std::vector<std::uint64_t> leaves_with_count; ///< index: objects in the leaf
+  int deepest_leaf = 0;                          ///< the root has depth 0
+  double full_volume = 0.0;                      ///< of the non-empty leaves
+  double volume = 0.0;                           ///< of the root
+  double expected_cost = 0.0;                    ///< SAH, in the units of the params' costs
+  std::vector<std::uint64_t> leaves_at_depth;    ///< index: depth
+  std::vector<std::uint64_t> leaves_with_count;  ///< index: objects in the leaf
   bool operator==(const TreeStats&) const = default;
 };
 TreeStats tree_stats(const Tree& tree);

@@ -37,8 +37,11 @@ template <bool any, class Found>
 void trace_some(Packet& packet, const World& world, std::span<const Ray> rays, SideRule rule,
                 const Found& found) {
   unsigned together = packet.load_rays(rays);
-  together &= ~packet.rays().for_each_class(together,
-                                            [&](const RayClass& some) { packet.trace<any>(some); });
+  together &= ~packet.rays().for_each_class(together, [&](const RayClass& some) {
+    if (!packet.turn_to(some)) return false;
+    packet.trace<any>();
+    return true;
+  });
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const bool is_done = together >> i & 1u;
     found(i, is_done ? packet.best(static_cast<int>(i)) : find_alone<any>(world, rays[i], rule));
@@ -109,8 +112,11 @@ std::uint64_t walk_some(Packet& packet, const World& world, std::span<const Ray>
                         std::span<const float> ends) {
   std::uint64_t sum = 0;
   const unsigned open = packet.load_rays(rays);
-  unsigned alone = packet.rays().for_each_class(
-      open, [&](const RayClass& some) { sum += packet.walk(some, ends); });
+  unsigned alone = packet.rays().for_each_class(open, [&](const RayClass& some) {
+    if (!packet.turn_to(some)) return false;
+    if (!ends.empty()) sum += packet.walk(ends);
+    return true;
+  });
   while (alone != 0 && !ends.empty()) {
     const auto i = static_cast<std::size_t>(take_lane(alone));
     sum += walk_alone(world, rays[i], ends[i]);

@@ -23,6 +23,9 @@ namespace bspview::HWY_NAMESPACE {
 /// So many rays meet a block one by one: what they pass as a whole is not worth finding out.
 constexpr std::size_t few = 2;
 
+/// Of shears, see ShearInterval::radius.
+constexpr float most_spread = 0.25f;
+
 /// Rays of one direction class on their way through a tree.
 class Packet {
  public:
@@ -40,28 +43,30 @@ class Packet {
 
   const PacketRays& rays() const { return rays_; }
 
-  /// Finds what the rays of a class hit: the nearest, or anything.
-  template <bool any>
-  void trace(const RayClass& rays) {
+  /// Makes ready for a class. False if its rays run apart so much that they are faster one by one.
+  bool turn_to(const RayClass& rays) {
     set_class(rays);
+    return interval_.radius() <= most_spread;
+  }
+
+  /// Finds what the rays of the class hit: the nearest, or anything.
+  template <bool any>
+  void trace() {
     const auto meet = [this](const Accelerator& accelerator, std::uint32_t child, unsigned lanes) {
       meet_leaf<any>(accelerator, accelerator.leaf(child), lanes);
     };
-    traverse_parts_packet(*world_.accelerator, walk_, rays.lanes, meet);
+    traverse_parts_packet(*world_.accelerator, walk_, rays_.active, meet);
   }
 
-  /// The walk alone, each lane to its end; none: makes ready, no more. Answers the names of the
-  /// leaves, added up.
-  std::uint64_t walk(const RayClass& rays, std::span<const float> ends) {
-    set_class(rays);
-    std::uint64_t sum = 0;
-    if (ends.empty()) return sum;
-    for (unsigned rest = rays.lanes; rest != 0;) {
+  /// The walk alone, each lane to its end. Answers the names of the leaves, added up.
+  std::uint64_t walk(std::span<const float> ends) {
+    for (unsigned rest = rays_.active; rest != 0;) {
       const int lane = take_lane(rest);
       walk_.reach[lane] = ends[static_cast<std::size_t>(lane)] * hit_margin;
     }
+    std::uint64_t sum = 0;
     const auto pass = [&](const Accelerator&, std::uint32_t child, unsigned) { sum += child; };
-    traverse_parts_packet(*world_.accelerator, walk_, rays.lanes, pass);
+    traverse_parts_packet(*world_.accelerator, walk_, rays_.active, pass);
     return sum;
   }
 

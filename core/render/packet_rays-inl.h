@@ -57,7 +57,7 @@ class PacketRays : public RayLanes {
   }
 
   /// Calls work(rays) for the classes of `lanes` that are worth it; answers the lanes of the
-  /// others.
+  /// others, and of those where it answers false.
   template <class Work>
   unsigned for_each_class(unsigned lanes, const Work& work) const {
     constexpr int fewest = 3;  // fewer are faster one by one
@@ -65,11 +65,7 @@ class PacketRays : public RayLanes {
     while (lanes != 0) {
       const RayClass next = class_among(lanes);
       lanes &= ~next.lanes;
-      if (hwy::PopCount(next.lanes) < fewest) {
-        alone |= next.lanes;
-      } else {
-        work(next);
-      }
+      if (hwy::PopCount(next.lanes) < fewest || !work(next)) alone |= next.lanes;
     }
     return alone;
   }

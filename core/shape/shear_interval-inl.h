@@ -53,6 +53,9 @@ class ShearInterval {
     }
   }
 
+  /// Half the difference between the shears of two rays, at most.
+  float radius() const { return std::max(sides_[0].shear_radius, sides_[1].shear_radius); }
+
   /// The triangles that some ray may pass through, each by its place: 8 times the number of its
   /// block, and its slot. `places` has room for all of the blocks. Answers how many they are.
   HWY_INLINE std::size_t list_places(std::span<const TriangleBlock> blocks,
