@@ -31,6 +31,11 @@ struct BuildInput {
   TestCostFunction test_cost = {};  ///< C_I of each; null: the mean
 };
 
+/// What a build answers that is out of memory.
+inline Error no_memory_for_tree() {
+  return Error{"not enough memory for the tree"};
+}
+
 /// Builds a tree, all of it. The result depends on no thread count and no timing. The maximal depth
 /// is clamped to depth_cap, the leaf size to at least 1; where the memory limit leaves no room for
 /// two children, a node becomes a leaf. Fails with the error "stopped" soon (within milliseconds)

@@ -40,7 +40,7 @@ auto with_build_errors(const BuildInput& input, const Work& work) -> Result<decl
   } catch (const InnerObjectsPassed&) {
     return Error{"what the inner nodes hold takes too much memory"};
   } catch (const std::bad_alloc&) {
-    return Error{"not enough memory for the tree"};
+    return no_memory_for_tree();
   }
 }
 

@@ -1,5 +1,7 @@
 #include "core/render/scene_tree.h"
 
+#include <new>
+
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
 #include "core/shape/cone.h"
@@ -58,9 +60,13 @@ Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, con
                               const TestCosts& test_costs) {
   const Timer timer;
   Result<Tree> tree = Error{};
-  with_threads(params.threads, [&] {
-    tree = build_tree(SceneBuildInput(scene, test_costs).input(), params, watch);
-  });
+  try {
+    with_threads(params.threads, [&] {
+      tree = build_tree(SceneBuildInput(scene, test_costs).input(), params, watch);
+    });
+  } catch (const std::bad_alloc&) {
+    tree = no_memory_for_tree();
+  }
   if (tree) tree->build_seconds = timer.seconds();  // the objects' boxes are part of it
   return tree;
 }
