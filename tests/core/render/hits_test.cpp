@@ -93,6 +93,40 @@ TEST_P(HitsTest, BundlesFindWhatTheBinaryTreeFinds) {
   }
 }
 
+/// Rays from far away that pass the border of what one of them hits by as little as floats can
+/// tell.
+std::vector<Ray> grazing_bundle(const Scene& scene, const Tree& tree, Random& random) {
+  const Vec3 eye = 40.0f * random.direction();
+  const Vec3 from = random.point(0.8f), to = from + random.point(0.3f);
+  const auto ray = [&](double s) {
+    return Ray{eye, Vec3(glm::mix(Vec3d(from), Vec3d(to), s)) - eye};
+  };
+  NoObserver none;
+  const auto object = [&](double s) { return closest_hit({scene, tree}, ray(s), {}, none).object; };
+  const std::uint32_t hit = object(0.0);
+  double on = 0.0, off = 1.0;
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (on + off);
+    (object(middle) == hit ? on : off) = middle;
+  }
+  std::vector<Ray> rays;
+  for (int i = -8; i < 8; ++i) rays.push_back(ray(on + i * 1e-6));
+  return rays;
+}
+
+TEST_P(HitsTest, BundlesAlongBordersFindWhatTheBinaryTreeFinds) {
+  Random random(4);
+  for (const Scene& scene : {test::random_scene(150, 21), test::random_triangles(200, 22)}) {
+    const auto tree = build_scene_tree(scene, {});
+    std::vector<Ray> rays;
+    for (int i = 0; i < 200; ++i) {
+      const std::vector<Ray> bundle = grazing_bundle(scene, *tree, random);
+      rays.insert(rays.end(), bundle.begin(), bundle.end());
+    }
+    expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
+  }
+}
+
 TEST_P(HitsTest, RaysAnyhowFindWhatTheBinaryTreeFinds) {
   Random random(2);
   std::vector<Ray> rays;
