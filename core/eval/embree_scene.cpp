@@ -1,12 +1,11 @@
 #ifdef BSPVIEW_EMBREE
 #include "core/eval/embree_scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/base/timer.h"
 #include "core/scene/triangulate.h"
 
@@ -48,8 +47,7 @@ bool count_bytes(void* count, ssize_t bytes, bool) {
 }  // namespace
 
 EmbreeScene::EmbreeScene(const Scene& scene, EmbreeMode mode, EmbreeBuild build)
-    : device_(rtcNewDevice(fmt::format("threads={}", build.threads).c_str())),
-      scene_(rtcNewScene(device_)) {
+    : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
   rtcSetSceneFlags(scene_,
                    mode == EmbreeMode::robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcSetSceneBuildQuality(scene_, build.quality);
@@ -58,7 +56,8 @@ EmbreeScene::EmbreeScene(const Scene& scene, EmbreeMode mode, EmbreeBuild build)
   attach_cones(scene);
   rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
   const Timer timer;
-  rtcCommitScene(scene_);
+  // A device of fewer threads would hold the whole program to them as long as it lives.
+  with_threads(build.threads, [&] { rtcJoinCommitScene(scene_); });
   build_seconds_ = timer.seconds();
   rtcSetDeviceMemoryMonitorFunction(device_, nullptr, nullptr);
 }
