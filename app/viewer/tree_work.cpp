@@ -137,7 +137,7 @@ class TreeWork::Grower {
   Result<void> grow_whole(const TreeRequest& request, InnerLimit limit, std::stop_token stop) {
     set_under_way(request);
     const Timer timer;
-    const SceneBuildInput objects(request.scene->scene);
+    const SceneBuildInput objects(request.scene->scene, default_test_costs, stop);
     Result<MaximalTree> whole = build_maximal_tree(objects.input(), request.params, limit,
                                                    watch_build(std::move(stop), 1.0 - done_));
     set_under_way(std::nullopt);

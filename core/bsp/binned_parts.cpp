@@ -5,7 +5,7 @@
 
 namespace bspview {
 
-void BinnedParts::append_objects(std::vector<std::uint32_t>& objects) const {
+void BinnedParts::append_objects(References& objects) const {
   for (const ObjectPart& part : parts()) objects.push_back(part.object);
 }
 

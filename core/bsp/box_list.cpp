@@ -7,7 +7,7 @@
 
 namespace bspview {
 
-void BoxList::append_objects(std::vector<std::uint32_t>& objects) const {
+void BoxList::append_objects(References& objects) const {
   for (const ObjectPart& part : parts_) objects.push_back(part.object);
 }
 

@@ -18,7 +18,12 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, Branch& part
   whole.nodes[slot] = moved(part.nodes[0]);
   job.for_each(part.nodes.size() - 1, light_steps,
                [&](std::size_t i) { whole.nodes.push_back(moved(part.nodes[i + 1])); });
-  whole.references.insert(whole.references.end(), part.references.begin(), part.references.end());
+  const std::span<const std::uint32_t> references = part.references;
+  job.for_each(range_count(references.size()), 1, [&](std::size_t i) {
+    const auto from = references.subspan(i * range_size);
+    const auto some = from.first(std::min(range_size, from.size()));
+    whole.references.insert(whole.references.end(), some.begin(), some.end());
+  });
   for (DeferredLeaf& leaf : part.deferred) {
     leaf.node = leaf.node == 0 ? slot : leaf.node + first_node;
     whole.deferred.push_back(std::move(leaf));

@@ -14,8 +14,8 @@ namespace bspview {
 /// What one branch of the recursion writes to. A branch that runs beside another has its own and
 /// is spliced in afterwards, so that the tree does not depend on who ran first.
 struct Branch {
-  std::vector<Node> nodes;  ///< [0] is the branch's root; children come in pairs behind parents
-  std::vector<std::uint32_t> references;
+  Nodes nodes;  ///< [0] is the branch's root; children come in pairs behind parents
+  References references;
   std::vector<DeferredLeaf> deferred;
   InnerLists inner;         ///< where the job keeps them
   std::size_t metered = 0;  ///< bytes that the job's meter knows of

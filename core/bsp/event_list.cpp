@@ -57,12 +57,12 @@ class EventList::Child {
   /// Completes one axis with the events of the clipped parts.
   void merge_fresh(int axis) const {
     const std::span<Event> fresh(fresh_events_.data() + 4 * axis * fresh_count_, 2 * fresh_count_);
-    for (std::size_t i = 0; i < fresh_count_; ++i) {
+    list_.job_->for_each(fresh_count_, light_steps, [&](std::size_t i) {
       write_events(fresh_[i].box, axis, fresh_[i].object, &fresh[2 * i]);
-    }
+    });
     const std::span<Event> sorted(fresh.data() + fresh.size(), fresh.size());
     sort_events(*list_.job_, fresh, sorted.data());
-    merge_events(list_.first_event(axis), 2 * (count_ - fresh_count_), sorted);
+    merge_events(*list_.job_, {list_.first_event(axis), 2 * (count_ - fresh_count_)}, sorted);
   }
 
   Event* first_event(int axis) const { return list_.first_event(axis); }
@@ -98,7 +98,7 @@ EventList::EventList(const BuildJob& job, std::span<const ObjectPart> parts, Scr
   job.for_each(count_, light_steps, [&](std::size_t i) { objects_[i] = parts[i].object; });
 }
 
-void EventList::append_objects(std::vector<std::uint32_t>& objects) const {
+void EventList::append_objects(References& objects) const {
   objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
 }
 

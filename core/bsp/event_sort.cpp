@@ -57,11 +57,16 @@ void sort_events(const BuildJob& job, std::span<Event> events, Event* sorted) {
   scatter(job, events, sorted, 2);
 }
 
-void merge_events(Event* events, std::size_t count, std::span<const Event> fresh) {
-  std::size_t to = count + fresh.size();
-  for (std::size_t left = fresh.size(); left > 0;) {
-    const bool keep = count > 0 && events[count - 1] > fresh[left - 1];
-    events[--to] = keep ? events[--count] : fresh[--left];
+void merge_events(const BuildJob& job, std::span<Event> events, std::span<const Event> fresh) {
+  Event* const first = events.data();
+  std::size_t count = events.size(), left = fresh.size();
+  std::size_t to = count + left;
+  while (left > 0) {
+    job.poll();
+    for (std::size_t step = 0; step < light_steps && left > 0; ++step) {
+      const bool keep = count > 0 && first[count - 1] > fresh[left - 1];
+      first[--to] = keep ? first[--count] : fresh[--left];
+    }
   }
 }
 

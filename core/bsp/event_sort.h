@@ -12,7 +12,7 @@ namespace bspview {
 /// threads.
 void sort_events(const BuildJob& job, std::span<Event> events, Event* sorted);
 
-/// Merges the sorted `fresh` into the sorted `events[0 .. count)`; there is room behind them.
-void merge_events(Event* events, std::size_t count, std::span<const Event> fresh);
+/// Merges the sorted `fresh` into the sorted `events`; there is room behind them.
+void merge_events(const BuildJob& job, std::span<Event> events, std::span<const Event> fresh);
 
 }  // namespace bspview

@@ -4,7 +4,7 @@
 
 namespace bspview {
 
-void FewParts::append_objects(std::vector<std::uint32_t>& objects) const {
+void FewParts::append_objects(References& objects) const {
   objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
 }
 

@@ -14,8 +14,8 @@ namespace bspview {
 
 /// What one run of a builder leaves.
 struct GrownTree {
-  std::vector<Node> nodes;
-  std::vector<std::uint32_t> references;
+  Nodes nodes;
+  References references;
   std::vector<DeferredLeaf> deferred;  ///< in the order of their nodes
   bool memory_limit_reached = false;
 };

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/bsp/node.h"
+
 namespace bspview {
 
 /// Thrown, inside the builders only, when a tree is wanted with its inner objects or not at all.
@@ -63,7 +65,7 @@ class InnerLists {
   void keep(const Objects& objects, InnerMeter& meter) {
     const std::size_t count = objects.count();
     if (!meter.complete() || !make_room(count + 1, meter)) return;
-    std::vector<std::uint32_t>& page = pages_.back();
+    References& page = pages_.back();
     lists_.push_back(page.data() + page.size());
     page.push_back(static_cast<std::uint32_t>(count));
     objects.append_objects(page);
@@ -90,7 +92,7 @@ class InnerLists {
     return true;
   }
 
-  std::vector<std::vector<std::uint32_t>> pages_;
+  std::vector<References> pages_;
   std::vector<const std::uint32_t*> lists_;
   std::size_t metered_ = 0;  // lists whose pointers the meter knows of
 };

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "core/base/raw_vector.h"
+
 namespace bspview {
 
 /// One node of a BSP tree in 8 bytes:
@@ -38,6 +40,9 @@ class Node {
   std::uint32_t word0_, word1_;
 };
 static_assert(sizeof(Node) == 8);
+
+using Nodes = RawVector<Node>;
+using References = RawVector<std::uint32_t>;  ///< object ids
 
 /// Index of the leaf that is not there.
 inline constexpr std::uint32_t no_leaf = 0xffffffffu;

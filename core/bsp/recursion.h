@@ -13,7 +13,7 @@ namespace bspview {
 /// `Objects` is a set of object parts that a rule looks at and a plane divides:
 ///
 ///     std::size_t count() const;
-///     void append_objects(std::vector<std::uint32_t>&) const;    ascending ids
+///     void append_objects(References&) const;    ascending ids
 ///     std::optional<Split> find_split(const Place&) const;
 ///     Objects split(const CellSplit&, ScratchStack&);            keeps the larger side
 ///     void release();                                            the objects are needed no more
@@ -115,7 +115,7 @@ class Recursion {
   }
 
   void make_leaf(const Objects& objects, Slot slot) const {
-    std::vector<std::uint32_t>& references = slot.branch.references;
+    References& references = slot.branch.references;
     const auto first = static_cast<std::uint32_t>(references.size());
     objects.append_objects(references);
     const auto count = static_cast<std::uint32_t>(references.size()) - first;
@@ -133,7 +133,7 @@ class Recursion {
 
   /// Makes the node at `slot` an inner one; the result is the place of its left child.
   static Slot add_children(const Split& split, Slot slot) {
-    std::vector<Node>& nodes = slot.branch.nodes;
+    Nodes& nodes = slot.branch.nodes;
     const auto left = static_cast<std::uint32_t>(nodes.size());
     nodes[slot.node] = Node::make_inner(split.axis, split.position, left);
     nodes.resize(left + 2, Node::make_leaf(0, 0));

@@ -15,7 +15,7 @@ void* ScratchStack::take(std::size_t bytes) {
       const std::size_t twice = next == 0 ? 0 : 2 * blocks_[next - 1].size;
       const std::size_t size = std::max({bytes, twice, smallest_block});
       blocks_.resize(next);
-      blocks_.push_back({std::make_unique_for_overwrite<std::byte[]>(size), size});
+      blocks_.push_back({make_raw_bytes(size), size});
     }
     top_ = {next, 0};
   }

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "core/base/memory.h"
 
 namespace bspview {
 
@@ -54,7 +55,7 @@ class ScratchStack {
 
  private:
   struct Block {
-    std::unique_ptr<std::byte[]> bytes;
+    RawBytes bytes;
     std::size_t size = 0;
   };
 

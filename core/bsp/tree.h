@@ -44,8 +44,8 @@ bool effective_clip(const BuildParams& params);
 /// A finished tree. nodes[0] is the root; parents come before their children.
 struct Tree {
   Aabb box;                               ///< of the root; holds every object
-  std::vector<Node> nodes;
-  std::vector<std::uint32_t> references;  ///< object ids, leaf after leaf
+  Nodes nodes;
+  References references;                  ///< object ids, leaf after leaf
   std::vector<std::uint32_t> unbuilt;     ///< leaves that are yet to be split; ascending
   std::size_t object_count = 0;
   BuildParams params;                     ///< as asked for

@@ -85,7 +85,7 @@ class LocalTree {
   }
 
   void number(Parts parts) {
-    std::vector<std::uint32_t> references;
+    References references;
     const auto place = [&] { return static_cast<std::uint32_t>(references.size()); };
     for_each_leaf(
         parts,

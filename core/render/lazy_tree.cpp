@@ -14,7 +14,7 @@ Result<std::shared_ptr<const LazyTree>> LazyTree::build(const Scene& scene,
   const Timer timer;
   try {
     std::shared_ptr<LazyTree> lazy;
-    with_threads(params.threads, [&] { lazy.reset(new LazyTree(scene)); });
+    with_threads(params.threads, [&] { lazy.reset(new LazyTree(scene, stop)); });
     auto top = build_partial_tree(lazy->objects_.input(), params, stop);
     if (!top) return top.error();
     lazy->bytes_ = top->tree.bytes();

@@ -42,7 +42,8 @@ class LazyTree {
  private:
   friend class LazyPart;
 
-  explicit LazyTree(const Scene& scene) : scene_(scene), objects_(scene) {}
+  LazyTree(const Scene& scene, const std::stop_token& stop)
+      : scene_(scene), objects_(scene, default_test_costs, stop) {}
 
   /// Builds the part below a leaf; null where there is no room.
   std::shared_ptr<const Accelerator> grow(const DeferredLeaf& leaf, Tree& tree) const;

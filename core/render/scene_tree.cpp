@@ -33,11 +33,13 @@ std::span<const Vec3> corners_of(const Scene& scene, std::uint32_t id) {
 
 }  // namespace
 
-SceneBuildInput::SceneBuildInput(const Scene& scene, const TestCosts& test_costs)
+SceneBuildInput::SceneBuildInput(const Scene& scene, const TestCosts& test_costs,
+                                 const std::stop_token& stop)
     : scene_(scene), test_costs_(test_costs), mean_test_cost_(mean_test_cost(test_costs, scene)) {
   constexpr std::size_t range_size = 4096;
   boxes_.resize(scene.objects.size());
   parallel_ranges(boxes_.size(), range_size, [&](std::size_t first, std::size_t last) {
+    if (stop.stop_requested()) return;
     for (std::size_t i = first; i < last; ++i) {
       const auto id = static_cast<std::uint32_t>(i);
       boxes_[i] = is_degenerate(scene, id) ? Aabb{} : object_bounds(scene, id);
@@ -62,7 +64,7 @@ Result<Tree> build_scene_tree(const Scene& scene, const BuildParams& params, con
   Result<Tree> tree = Error{};
   try {
     with_threads(params.threads, [&] {
-      tree = build_tree(SceneBuildInput(scene, test_costs).input(), params, watch);
+      tree = build_tree(SceneBuildInput(scene, test_costs, watch.stop).input(), params, watch);
     });
   } catch (const std::bad_alloc&) {
     tree = no_memory_for_tree();

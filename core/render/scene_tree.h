@@ -8,10 +8,12 @@
 namespace bspview {
 
 /// What a builder needs to know of `scene`: boxes, clipping of polygons in double, and what tests
-/// cost. Made by the threads of the enclosing with_threads.
+/// cost. Made by the threads of the enclosing with_threads. After a stop, boxes are missing, and no
+/// builder with the same token looks at them.
 class SceneBuildInput {
  public:
-  explicit SceneBuildInput(const Scene& scene, const TestCosts& test_costs = default_test_costs);
+  explicit SceneBuildInput(const Scene& scene, const TestCosts& test_costs = default_test_costs,
+                           const std::stop_token& stop = {});
   BuildInput input() const;
 
  private:

@@ -12,7 +12,7 @@ class EdgeWalk {
 
   /// Follows the edge down the trees of both nodes to the leaves that have a piece of it.
   void walk(const Edge& edge, EdgeNodes nodes) {
-    const std::vector<Node>& all = look_.tree.nodes;
+    const Nodes& all = look_.tree.nodes;
     const bool on_a = !all[nodes.a].is_leaf();
     const Node& node = all[on_a ? nodes.a : nodes.b];
     if (node.is_leaf() || is_one_piece(edge)) {

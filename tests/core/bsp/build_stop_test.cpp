@@ -4,6 +4,7 @@
 #include <new>
 #include <thread>
 
+#include "core/bsp/branch.h"
 #include "core/bsp/build.h"
 #include "tests/support/box_sets.h"
 #include "tests/support/random.h"
@@ -64,6 +65,19 @@ TEST(BuildStop, AStopAtARandomPointEndsTheBuildAfterFewMoreObjects) {
       EXPECT_LE(clips - last, 5000) << name_of(builder);
     }
   }
+}
+
+TEST(BuildStop, AStopEndsTheJoiningOfBranches) {
+  std::stop_source stop;
+  const BuildInput none;
+  const BuildJob job{.input = none, .stop = stop.get_token()};
+  Branch whole, part;
+  whole.nodes.push_back(Node::make_leaf(0, 0));
+  part.nodes.push_back(Node::make_leaf(0, 1));
+  part.references.push_back(7);
+  stop.request_stop();
+  EXPECT_THROW(splice(job, whole, 0, part), BuildStopped);
+  EXPECT_TRUE(whole.references.empty());
 }
 
 TEST(BuildStop, AStopFromAnotherThreadLeavesATreeOrTheError) {

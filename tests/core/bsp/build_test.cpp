@@ -35,7 +35,7 @@ TEST(Build, NoObjectsMakeOneEmptyLeaf) {
     SCOPED_TRACE(describe(params));
     const auto tree = build_tree(none.input(), params);
     ASSERT_TRUE(tree.ok());
-    EXPECT_EQ(tree->nodes, std::vector{Node::make_leaf(0, 0)});
+    EXPECT_EQ(tree->nodes, Nodes{Node::make_leaf(0, 0)});
     EXPECT_TRUE(tree->references.empty());
     EXPECT_TRUE(tree->box.empty());
     expect_valid(none.input(), params);
@@ -48,8 +48,8 @@ TEST(Build, OneObjectMakesOneLeaf) {
     SCOPED_TRACE(describe(params));
     const auto tree = build_tree(one.input(), params);
     ASSERT_TRUE(tree.ok());
-    EXPECT_EQ(tree->nodes, std::vector{Node::make_leaf(0, 1)});
-    EXPECT_EQ(tree->references, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(tree->nodes, Nodes{Node::make_leaf(0, 1)});
+    EXPECT_EQ(tree->references, References{0});
   }
 }
 

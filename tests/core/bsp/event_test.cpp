@@ -32,8 +32,8 @@ struct TestJob {
   std::vector<ObjectPart> parts;
 };
 
-std::vector<std::uint32_t> objects_of(const EventList& list) {
-  std::vector<std::uint32_t> objects;
+References objects_of(const EventList& list) {
+  References objects;
   list.append_objects(objects);
   return objects;
 }
@@ -102,7 +102,33 @@ TEST(Event, SortsFewAndManyAlike) {
   }
 }
 
+/// A job that is to stop.
+struct StoppedJob {
+  StoppedJob() { stop.request_stop(); }
+  std::stop_source stop;
+  BuildInput none;
+  BuildJob job{.input = none, .stop = stop.get_token()};
+};
+
+TEST(Event, AStopEndsSortingBeforeManyMoreEvents) {
+  const StoppedJob stopped;
+  std::vector<Event> events;
+  for (std::uint32_t part = 0; part < 2000; ++part) events.push_back(Event::make_end(0.0f, part));
+  std::vector<Event> sorted = events;
+  EXPECT_THROW(sort_events(stopped.job, events, sorted.data()), BuildStopped);
+}
+
+TEST(Event, AStopEndsMergingBeforeManyMoreEvents) {
+  const StoppedJob stopped;
+  std::vector<Event> events(4, Event::make_end(1.0f, 7));
+  const std::vector<Event> before = events, fresh(2, Event::make_end(0.0f, 1));
+  EXPECT_THROW(merge_events(stopped.job, std::span(events).first(2), fresh), BuildStopped);
+  EXPECT_EQ(events, before);
+}
+
 TEST(Event, MergesFreshOnesInOrder) {
+  const BuildInput none;
+  const BuildJob job{.input = none};
   test::Random random(5);
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<Event> events, fresh;
@@ -118,7 +144,7 @@ TEST(Event, MergesFreshOnesInOrder) {
     events.insert(events.end(), fresh.begin(), fresh.end());
     std::vector<Event> expected = events;
     std::ranges::sort(expected);
-    merge_events(events.data(), count, fresh);
+    merge_events(job, std::span(events).first(count), fresh);
     EXPECT_EQ(events, expected);
   }
 }
@@ -141,7 +167,7 @@ TEST(EventList, CountsAreClassificationsForBoundsOneFloatApart) {
       if (event.is_start()) split.left += event.position() < plane;
       if (event.is_end()) split.right += event.position() > plane;
     }
-    std::vector<std::uint32_t> expected_left, expected_right;
+    References expected_left, expected_right;
     for (std::uint32_t i = 0; i < size; ++i) {
       if (set.boxes()[i].lo[axis] <= plane) expected_left.push_back(i);
       if (set.boxes()[i].hi[axis] >= plane) expected_right.push_back(i);
