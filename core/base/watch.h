@@ -18,7 +18,7 @@ struct Watch {
 
   std::stop_token stop;
   /// Called with how much more is done, from several threads; all calls add up to 1, or to the
-  /// number of runs for work that says so.
+  /// number of runs for work that says so. Below 0: what was done is to be done again.
   std::function<void(double more)> progress;
 };
 

@@ -16,8 +16,9 @@ struct WorkShares {
 };
 
 /// Tells whoever watches a build how far it is. Every node has a share of the work, of which it
-/// keeps a part and deals the rest out to its children: what is told only grows, and adds up to 1.
-/// Nodes of few objects tell all of theirs at once, so that telling takes no time.
+/// keeps a part and deals the rest out to its children: what is told only grows, but for the start
+/// of another try, and adds up to 1. Nodes of few objects tell all of theirs at once, so that
+/// telling takes no time.
 class BuildProgress {
  public:
   BuildProgress(const Watch& watch, std::size_t objects)
@@ -31,6 +32,8 @@ class BuildProgress {
     told_.fetch_add(more, std::memory_order_relaxed);
     watch_.advance(more);
   }
+  /// Takes back all that was told.
+  void begin_again() { watch_.advance(-told_.exchange(0.0)); }
   /// Of what was never told: work that did not have to be done.
   void tell_rest() const { watch_.advance(std::max(0.0, 1.0 - told_)); }
 

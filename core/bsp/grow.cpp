@@ -1,6 +1,7 @@
 #include "core/bsp/grow.h"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 #include <utility>
 
@@ -24,22 +25,50 @@ std::optional<GrownTree> grow_to(int depth, GrowTree* grow, BuildJob job,
                    std::move(branch.deferred)};
 }
 
+/// Builds of one tree to different depths, one of which is the last. They tell of equal shares of
+/// the work.
+class Tries {
+ public:
+  Tries(GrowTree* grow, const BuildJob& job, const PartsSource& parts, int most)
+      : grow_(grow), job_(job), parts_(parts), share_(1.0 / most) {}
+
+  std::optional<GrownTree> to_depth(int depth) const {
+    if (!job_.progress) return grow_to(depth, grow_, job_, parts_);
+    Watch watch;
+    watch.progress = [this](double more) { job_.progress->tell(more * share_); };
+    BuildProgress progress(watch, job_.input.boxes.size());
+    BuildJob job = job_;
+    job.progress = &progress;
+    std::optional<GrownTree> tree = grow_to(depth, grow_, job, parts_);
+    progress.tell_rest();
+    return tree;
+  }
+
+ private:
+  GrowTree* const grow_;
+  const BuildJob& job_;
+  const PartsSource& parts_;
+  const double share_;
+};
+
 }  // namespace
 
 GrownTree grow_tree(GrowTree* grow, BuildJob job, const PartsSource& parts) {
   if (auto whole = grow_to(job.max_depth, grow, job, parts)) return *std::move(whole);
   if (job.inner) job.inner->meter.give_up();
   job.inner = nullptr;
-  job.progress = nullptr;  // which cannot go back
+  if (job.progress) job.progress->begin_again();
   int fitting = job.depth, too_deep = job.max_depth;
+  const auto between = static_cast<unsigned>(too_deep - fitting - 1);
+  const Tries tries(grow, job, parts, std::bit_width(between) + 1);
   std::optional<GrownTree> cut;
   while (too_deep - fitting > 1) {
     const int depth = fitting + (too_deep - fitting) / 2;
     cut.reset();  // never two trees at once
-    cut = grow_to(depth, grow, job, parts);
+    cut = tries.to_depth(depth);
     (cut ? fitting : too_deep) = depth;
   }
-  if (!cut) cut = grow_to(fitting, grow, job, parts);
+  if (!cut) cut = tries.to_depth(fitting);
   cut->memory_limit_reached = true;
   return *std::move(cut);
 }

@@ -59,12 +59,33 @@ TEST(BuildProgress, IsToldInSmallPartsButSeldom) {
 
 TEST(BuildProgress, EndsWhereTheTreeIsCutShort) {
   const BoxSet set = test::random_boxes(5000, 3);
-  for (const BuildParams& params : {BuildParams{.max_depth = 0}, BuildParams{.max_depth = 3},
-                                    BuildParams{.memory_limit = 20'000}}) {
+  for (const BuildParams& params : {BuildParams{.max_depth = 0}, BuildParams{.max_depth = 3}}) {
     Told told;
     ASSERT_TRUE(build_tree(set.input(), params, told.watch()).ok());
     EXPECT_NEAR(told.sum(), 1.0, rounding);
     EXPECT_TRUE(told.only_grows());
+  }
+}
+
+TEST(BuildProgress, BeginsAgainOnceWhereTheMemoryLimitIsPassed) {
+  const BoxSet set = test::random_boxes(20'000, 3);
+  const std::size_t bytes = build_tree(set.input(), {})->bytes();
+  for (const std::size_t limit : {std::size_t{0}, std::size_t{20'000}, bytes / 2, bytes - 1}) {
+    for (const int threads : {1, 2}) {
+      const BuildParams params{.memory_limit = limit, .threads = threads};
+      Told told;
+      const auto tree = build_tree(set.input(), params, told.watch());
+      ASSERT_TRUE(tree.ok());
+      EXPECT_TRUE(tree->memory_limit_reached);
+      test::expect_same(*tree, *build_tree(set.input(), params));
+      EXPECT_NEAR(told.sum(), 1.0, rounding);
+      const auto is_back = [](double more) { return more < 0.0; };
+      const auto back = std::ranges::find_if(told.shares, is_back);
+      ASSERT_NE(back, told.shares.end());
+      EXPECT_NEAR(std::accumulate(told.shares.begin(), back + 1, 0.0), 0.0, rounding);
+      EXPECT_EQ(std::ranges::count_if(told.shares, is_back), 1);
+      EXPECT_LT(*std::max_element(back, told.shares.end()), 0.9);
+    }
   }
 }
 
