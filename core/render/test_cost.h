@@ -6,7 +6,7 @@
 
 namespace bspview {
 
-/// C_I, the cost of testing an object, by ObjectKind; of a polygon, one with four corners.
+/// C_I, the cost of testing an object, by ObjectKind; of a polygon, what each corner adds.
 using TestCosts = std::array<float, 4>;
 
 /// Where C_T is 1, trees that are built with these are the fastest for rays to go through, as
@@ -17,11 +17,11 @@ inline float test_cost(const TestCosts& costs, ObjectKind kind) {
   return costs[static_cast<std::size_t>(kind)];
 }
 
-/// Of an object; a polygon's tests take as long as it has corners.
+/// Of an object, with all its corners.
 inline float test_cost(const TestCosts& costs, const Scene& scene, const Object& object) {
   const float cost = test_cost(costs, object.kind);
   if (object.kind != ObjectKind::polygon) return cost;
-  return cost * 0.25f * static_cast<float>(scene.faces[object.shape].vertex_count);
+  return cost * static_cast<float>(scene.faces[object.shape].vertex_count);
 }
 
 /// The mean over the objects of a scene, by their numbers.

@@ -39,20 +39,46 @@ std::vector<Trial> trials_of(const Scene& scene, const TuneParams& params) {
   return trials;
 }
 
+Watch watch_share(const Watch& watch, double share) {
+  Watch part(watch.stop);
+  part.progress = [&watch, share](double more) { watch.advance(more * share); };
+  return part;
+}
+
+Result<Measured> measure_anew(const Scene& scene, std::span<const TreeRecipe, 2> recipes,
+                              BenchParams params, const Watch& watch) {
+  constexpr int more_repeats = 3;
+  params.repeats *= more_repeats;
+  const auto trees = compare_trees(scene, recipes, params, watch);
+  if (!trees) return trees.error();
+  return time_ratio(trees->times, 0, 1);
+}
+
+Result<TunedScene> tune(const Scene& scene, const TuneParams& params, const Watch& watch) {
+  constexpr double sweep_share = 0.8;
+  TunedScene tuned{.trials = trials_of(scene, params)};
+  std::vector<TreeRecipe> recipes;
+  for (const Trial& trial : tuned.trials) recipes.push_back(trial.recipe);
+  auto trees = compare_trees(scene, recipes, params.bench, watch_share(watch, sweep_share));
+  if (!trees) return trees.error();
+  tuned.trees = *std::move(trees);
+  const std::array both{recipes[0], recipes[best_trial(tuned)]};
+  const auto anew = measure_anew(scene, both, params.bench, watch_share(watch, 1.0 - sweep_share));
+  if (!anew) return anew.error();
+  tuned.best_gain = *anew;
+  return tuned;
+}
+
 }  // namespace
 
 Result<TuneReport> run_tune(std::span<const Scene> scenes, const TuneParams& params,
                             const Watch& watch) {
   TuneReport report{.params = params};
-  Watch part(watch.stop);
-  part.progress = [&](double more) { watch.advance(more / static_cast<double>(scenes.size())); };
   for (const Scene& scene : scenes) {
-    const std::vector<Trial> trials = trials_of(scene, params);
-    std::vector<TreeRecipe> recipes;
-    for (const Trial& trial : trials) recipes.push_back(trial.recipe);
-    auto trees = compare_trees(scene, recipes, params.bench, part);
-    if (!trees) return trees.error();
-    report.scenes.push_back({trials, *std::move(trees)});
+    const double share = 1.0 / static_cast<double>(scenes.size());
+    auto tuned = tune(scene, params, watch_share(watch, share));
+    if (!tuned) return tuned.error();
+    report.scenes.push_back(*std::move(tuned));
   }
   return report;
 }

@@ -30,6 +30,7 @@ struct Trial {
 struct TunedScene {
   std::vector<Trial> trials;  ///< the first is what was given
   TreeComparison trees;       ///< by trial
+  Measured best_gain{};  ///< of best_trial, measured anew: the largest of many is so by chance, too
 };
 
 struct TuneReport {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/eval/bench/tune.h"
 #include "core/eval/machine_json.h"
@@ -14,13 +15,17 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, TestCosts{}.size()> kind_names{"triangles", "polygons",
                                                                       "spheres", "cones"};
 
+std::string cost_text(ObjectKind kind, float cost) {
+  return fmt::format("{} {:g}{}", kind_names[static_cast<std::size_t>(kind)], cost,
+                     kind == ObjectKind::polygon ? " a corner" : "");
+}
+
 std::string name_of(const Trial& trial) {
   switch (trial.what) {
     case Trial::What::as_given:
       return "as given";
     case Trial::What::cost:
-      return fmt::format("{} {:g}", kind_names[static_cast<std::size_t>(trial.kind)],
-                         test_cost(trial.recipe.test_costs, trial.kind));
+      return cost_text(trial.kind, test_cost(trial.recipe.test_costs, trial.kind));
     case Trial::What::depth:
       return fmt::format("depth {}", *trial.recipe.build.max_depth);
     case Trial::What::leaf_size:
@@ -32,7 +37,7 @@ std::string name_of(const Trial& trial) {
 std::string row(const TunedScene& scene, std::size_t trial) {
   const Measured faster = gain(scene, trial);
   const TreeFacts& facts = scene.trees.trees[trial];
-  std::string text = fmt::format("  {:<14} {:>6.3f} {:>6.3f}", name_of(scene.trials[trial]),
+  std::string text = fmt::format("  {:<19} {:>6.3f} {:>6.3f}", name_of(scene.trials[trial]),
                                  faster.median, faster.spread);
   for (const KindTimes& kind : scene.trees.times.kinds) {
     text += fmt::format(" {:>9.3f}", 1e3 / summarise(kind.peers[trial].nanoseconds).median);
@@ -43,7 +48,7 @@ std::string row(const TunedScene& scene, std::size_t trial) {
 }
 
 std::string table(const TunedScene& scene) {
-  std::string text = fmt::format("\n{}, {} objects; depth {}, C_I {:.2f}\n  {:<14} {:>6} {:>6}",
+  std::string text = fmt::format("\n{}, {} objects; depth {}, C_I {:.2f}\n  {:<19} {:>6} {:>6}",
                                  scene.trees.times.name, scene.trees.times.objects.objects,
                                  scene.trees.trees[0].max_depth,
                                  scene.trees.trees[0].cost_intersection, "", "gain", "+-");
@@ -56,20 +61,22 @@ std::string table(const TunedScene& scene) {
 }
 
 std::string summary(const TuneReport& report) {
-  std::string text = fmt::format("\n{:<24} best, and its gain over what was given\n", "");
-  double most = 0.0;
+  std::string text =
+      fmt::format("\n{:<24} best, and its gain over what was given, measured anew\n", "");
+  double most = 1.0;
   for (const TunedScene& scene : report.scenes) {
-    const std::size_t best = best_trial(scene);
-    const Measured faster = gain(scene, best);
+    const Measured faster = scene.best_gain;
     most = std::max(most, faster.median);
-    text += fmt::format("  {:<22} {:<14} {:.3f} +- {:.3f}\n", scene.trees.times.name,
-                        name_of(scene.trials[best]), faster.median, faster.spread);
+    text += fmt::format("  {:<22} {:<19} {:.3f} +- {:.3f}\n", scene.trees.times.name,
+                        name_of(scene.trials[best_trial(scene)]), faster.median, faster.spread);
   }
   text += "\nC_I that suits each kind of object, C_T being " +
           fmt::format("{:g}:", report.params.bench.build.cost_traversal);
+  const char* before = " ";
   for (std::size_t i = 0; i < kind_names.size(); ++i) {
-    const auto cost = fitted_cost(report, static_cast<ObjectKind>(i));
-    if (cost) text += fmt::format(" {} {:g}", kind_names[i], *cost);
+    const auto kind = static_cast<ObjectKind>(i);
+    const auto cost = fitted_cost(report, kind);
+    if (cost) text += std::exchange(before, ", ") + cost_text(kind, *cost);
   }
   return text +
          fmt::format("\nWhat was given is at most {:.1f} % slower than the best of each sweep.\n",
@@ -122,6 +129,8 @@ std::string to_json(const TuneReport& report) {
     json["scenes"].push_back({{"name", scene.trees.times.name},
                               {"objects", scene.trees.times.objects.objects},
                               {"best", name_of(scene.trials[best_trial(scene)])},
+                              {"best_gain", scene.best_gain.median},
+                              {"best_gain_spread", scene.best_gain.spread},
                               {"trials", std::move(trials)}});
   }
   json["machine"] = machine_json(report.machine);

@@ -26,7 +26,7 @@ TEST(TestCost, APolygonCostsAsItHasCorners) {
   const Vec3 corners[] = {{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}, {-1, 1, 0}};
   add_face(scene, material, std::span(corners).first(4));
   add_face(scene, material, corners);
-  const TestCosts costs{1.0f, 8.0f, 1.0f, 1.0f};
+  const TestCosts costs{1.0f, 2.0f, 1.0f, 1.0f};
   EXPECT_EQ(test_cost(costs, scene, scene.objects[0]), 8.0f);
   EXPECT_EQ(test_cost(costs, scene, scene.objects[1]), 12.0f);
   EXPECT_EQ(mean_test_cost(costs, scene), 10.0f);

@@ -68,6 +68,7 @@ TEST(Tune, EveryTrialDiffersFromWhatWasGivenInOneThing) {
     EXPECT_EQ(gain(tuned, i).repeats, 2);
   }
   EXPECT_DOUBLE_EQ(gain(tuned, 0).median, 1.0);
+  EXPECT_EQ(tuned.best_gain.repeats, 6) << "measured anew";
 }
 
 TEST(Tune, GainIsTheGeometricMeanOverTheKindsOfRays) {
@@ -97,17 +98,25 @@ TEST(Tune, AKindIsFittedToTheScenesThatHoldIt) {
   EXPECT_EQ(fitted_cost(report, ObjectKind::cone), 4.0f);
 }
 
-TEST(Tune, TheReportNamesTheBestAndWhatItWouldGain) {
-  const TuneReport report = report_of({tuned(ObjectKind::triangle, {10.0, 6.0, 8.0})});
+TEST(Tune, TheReportNamesTheBestAndWhatItGainedWhenMeasuredAnew) {
+  TuneReport report = report_of({tuned(ObjectKind::triangle, {10.0, 6.0, 8.0})});
+  report.scenes[0].best_gain = {1.5, 0.25, 6};
   const std::string text = to_text(report);
-  EXPECT_NE(text.find("triangles 2    2.000 +- 0.000"), std::string::npos) << text;
+  EXPECT_NE(text.find("triangles 2          2.000  0.000"), std::string::npos) << text;
+  EXPECT_NE(text.find("triangles 2         1.500 +- 0.250"), std::string::npos) << text;
   EXPECT_NE(text.find("triangles 2\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("at most 100.0 % slower"), std::string::npos) << text;
+  EXPECT_NE(text.find("at most 50.0 % slower"), std::string::npos) << text;
   const auto json = nlohmann::json::parse(to_json(report));
   EXPECT_EQ(json["cost_intersection"]["triangles"], 2.0);
   EXPECT_TRUE(json["cost_intersection"]["cones"].is_null());
   EXPECT_EQ(json["scenes"][0]["best"], "triangles 2");
+  EXPECT_EQ(json["scenes"][0]["best_gain"], 1.5);
   EXPECT_EQ(json["scenes"][0]["trials"][2]["gain"], 2.0);
+}
+
+TEST(Tune, APolygonCostsSoMuchACorner) {
+  const TuneReport report = report_of({tuned(ObjectKind::polygon, {10.0, 6.0, 8.0})});
+  EXPECT_NE(to_text(report).find("C_T being 1: polygons 2 a corner\n"), std::string::npos);
 }
 
 TEST(Tune, StopsWithAnError) {
