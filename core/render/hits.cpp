@@ -6,7 +6,7 @@
 
 #include "core/render/hits.h"
 #include "core/render/lazy_walk.h"
-#include "core/render/packet-inl.h"
+#include "core/render/packet_group-inl.h"
 #include "core/render/single_ray-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,35 +32,30 @@ HWY_INLINE Hit find_alone(const World& world, const Ray& ray, SideRule rule) {
   return trace_single_ray<any>(world, ray, rule, [] {});
 }
 
-/// Traces up to lane_count() rays; found(i, hit) takes the answers.
-template <bool any, class Found>
-void trace_some(Packet& packet, const World& world, std::span<const Ray> rays, SideRule rule,
-                const Found& found) {
-  unsigned together = packet.load_rays(rays);
-  together &= ~packet.rays().for_each_class(together, [&](const RayClass& some) {
-    if (!packet.turn_to(some)) return false;
-    packet.trace<any>();
-    return true;
-  });
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const bool is_done = together >> i & 1u;
-    found(i, is_done ? packet.best(static_cast<int>(i)) : find_alone<any>(world, rays[i], rule));
+/// Calls work(group, first, some) for rays after rays, as many as go together.
+template <class Work>
+void for_each_group(const World& world, std::span<const Ray> rays, SideRule rule,
+                    const Work& work) {
+  PacketGroup group(world, rule);
+  const std::size_t width = PacketGroup::width();
+  for (std::size_t first = 0; first < rays.size(); first += width) {
+    work(group, first, rays.subspan(first, std::min(width, rays.size() - first)));
   }
 }
 
+/// found(i, hit) takes the answers.
 template <bool any, class Found>
 void trace_all(const World& world, std::span<const Ray> rays, SideRule rule, const Found& found) {
   if (world.accelerator == nullptr) {
     for (std::size_t i = 0; i < rays.size(); ++i) found(i, find_alone<any>(world, rays[i], rule));
     return;
   }
-  Packet packet(world, rule);
-  const auto width = static_cast<std::size_t>(lane_count());
-  for (std::size_t first = 0; first < rays.size(); first += width) {
-    const auto some = rays.subspan(first, std::min(width, rays.size() - first));
-    trace_some<any>(packet, world, some, rule,
-                    [&](std::size_t i, const Hit& hit) { found(first + i, hit); });
-  }
+  for_each_group(world, rays, rule, [&](PacketGroup& group, std::size_t first, auto some) {
+    group.trace<any>(some);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      found(first + i, group.has(i) ? group.best(i) : find_alone<any>(world, some[i], rule));
+    }
+  });
 }
 
 Hit fast_closest_hit_here(const World& world, const Ray& ray, SideRule rule) {
@@ -98,42 +93,23 @@ std::uint32_t walk_leaves_here(const World& world, const Ray& ray, std::uint32_t
   return last;
 }
 
-/// One ray to its end, as walk_together.
-std::uint64_t walk_alone(const World& world, const Ray& ray, float end) {
+/// One ray to the end of its interval. Answers the names of the leaves, added up.
+std::uint64_t walk_alone(const World& world, const Ray& ray) {
   std::uint64_t sum = 0;
-  const float reach = end * hit_margin;
   if (!is_plain(ray)) return sum;
   const auto pass = [&](const Accelerator&, std::uint32_t child) { sum += child; };
-  traverse_parts(*world.accelerator, WideRay(ray), reach, pass);
+  traverse_parts(*world.accelerator, WideRay(ray), ray.t_max, pass);
   return sum;
 }
 
-std::uint64_t walk_some(Packet& packet, const World& world, std::span<const Ray> rays,
-                        std::span<const float> ends) {
+std::uint64_t walk_together_here(const World& world, std::span<const Ray> rays, bool walks) {
   std::uint64_t sum = 0;
-  const unsigned open = packet.load_rays(rays);
-  unsigned alone = packet.rays().for_each_class(open, [&](const RayClass& some) {
-    if (!packet.turn_to(some)) return false;
-    if (!ends.empty()) sum += packet.walk(ends);
-    return true;
+  for_each_group(world, rays, SideRule::two_sided, [&](PacketGroup& group, std::size_t, auto some) {
+    sum += group.walk(some, walks);
+    for (std::size_t i = 0; walks && i < some.size(); ++i) {
+      if (!group.has(i)) sum += walk_alone(world, some[i]);
+    }
   });
-  while (alone != 0 && !ends.empty()) {
-    const auto i = static_cast<std::size_t>(take_lane(alone));
-    sum += walk_alone(world, rays[i], ends[i]);
-  }
-  return sum;
-}
-
-std::uint64_t walk_together_here(const World& world, std::span<const Ray> rays,
-                                 std::span<const float> ends) {
-  Packet packet(world, SideRule::two_sided);
-  const auto width = static_cast<std::size_t>(lane_count());
-  std::uint64_t sum = 0;
-  for (std::size_t first = 0; first < rays.size(); first += width) {
-    const std::size_t count = std::min(width, rays.size() - first);
-    const auto some = ends.empty() ? ends : ends.subspan(first, count);
-    sum += walk_some(packet, world, rays.subspan(first, count), some);
-  }
   return sum;
 }
 
@@ -188,9 +164,8 @@ std::uint32_t walk_leaves(const World& world, const Ray& ray, std::uint32_t leav
   return HWY_DYNAMIC_DISPATCH(walk_leaves_here)(world, ray, leaves);
 }
 
-std::uint64_t walk_together(const World& world, std::span<const Ray> rays,
-                            std::span<const float> ends) {
-  return HWY_DYNAMIC_DISPATCH(walk_together_here)(world, rays, ends);
+std::uint64_t walk_together(const World& world, std::span<const Ray> rays, bool walks) {
+  return HWY_DYNAMIC_DISPATCH(walk_together_here)(world, rays, walks);
 }
 
 void closest_hits(const World& world, std::span<const Ray> rays, SideRule rule,

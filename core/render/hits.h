@@ -39,10 +39,9 @@ std::uint32_t count_leaves(const World& world, const Ray& ray, const TraceRules&
 /// Walks to so many leaves without object tests; 0: makes ready, no more. Answers the last one.
 std::uint32_t walk_leaves(const World& world, const Ray& ray, std::uint32_t leaves);
 
-/// Walks as closest_hits, each ray to its end, without object tests; no ends: makes ready, no more.
-/// Answers the names of the leaves, added up.
-std::uint64_t walk_together(const World& world, std::span<const Ray> rays,
-                            std::span<const float> ends);
+/// Walks as closest_hits, each ray to the end of its interval, without object tests; or makes
+/// ready, no more. Answers the names of the leaves, added up.
+std::uint64_t walk_together(const World& world, std::span<const Ray> rays, bool walks);
 
 /// Rays at a time, and the instruction set.
 int packet_width();

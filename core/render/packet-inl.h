@@ -1,4 +1,4 @@
-// Hits of several rays at once by the wide tree. Included once for every instruction set that
+// Hits of several rays at once, one in each lane. Included once for every instruction set that
 // Highway (hwy/foreach_target.h) compiles for.
 
 #if defined(BSPVIEW_PACKET) == defined(HWY_TARGET_TOGGLE)
@@ -10,10 +10,10 @@
 
 #include <optional>
 
+#include "core/bsp/packet_walk-inl.h"
 #include "core/render/accelerator.h"
 #include "core/render/intersect.h"
 #include "core/render/packet_rays-inl.h"
-#include "core/render/traverse_parts-inl.h"
 #include "core/shape/shear_interval-inl.h"
 #include "core/shape/triangle_block-inl.h"
 
@@ -41,33 +41,28 @@ class Packet {
     return rays_.load_rays(rays, world_.tree.box);
   }
 
-  const PacketRays& rays() const { return rays_; }
-
-  /// Makes ready for a class. False if its rays run apart so much that they are faster one by one.
-  bool turn_to(const RayClass& rays) {
-    set_class(rays);
-    return interval_.radius() <= most_spread;
+  /// Makes ready for each class of `lanes` that is worth it and calls work(rays). Answers the lanes
+  /// of the others, among them those whose rays run apart so much that they are faster one by one.
+  template <class Work>
+  unsigned for_each_class(unsigned lanes, const Work& work) {
+    return rays_.for_each_class(lanes, [&](const RayClass& rays) {
+      set_class(rays);
+      if (interval_.radius() > most_spread) return false;
+      work(rays);
+      return true;
+    });
   }
 
-  /// Finds what the rays of the class hit: the nearest, or anything.
+  const PacketWalk& walk() const { return walk_; }
+
+  /// Keeps what rays of the class hit in a leaf: the nearest, or anything.
   template <bool any>
-  void trace() {
-    const auto meet = [this](const Accelerator& accelerator, std::uint32_t child, unsigned lanes) {
-      meet_leaf<any>(accelerator, accelerator.leaf(child), lanes);
-    };
-    traverse_parts_packet(*world_.accelerator, walk_, rays_.active, meet);
-  }
-
-  /// The walk alone, each lane to its end. Answers the names of the leaves, added up.
-  std::uint64_t walk(std::span<const float> ends) {
-    for (unsigned rest = rays_.active; rest != 0;) {
-      const int lane = take_lane(rest);
-      walk_.reach[lane] = ends[static_cast<std::size_t>(lane)] * hit_margin;
+  HWY_INLINE void meet_leaf(const Accelerator& accelerator, const WideLeaf& leaf, unsigned lanes) {
+    for_some_blocks(accelerator.blocks(leaf),
+                    [&](auto blocks) { meet_blocks<any>(blocks, lanes & rays_.active); });
+    for (const LeafObject& object : accelerator.others(leaf)) {
+      meet_object<any>(object, lanes & rays_.active);
     }
-    std::uint64_t sum = 0;
-    const auto pass = [&](const Accelerator&, std::uint32_t child, unsigned) { sum += child; };
-    traverse_parts_packet(*world_.accelerator, walk_, rays_.active, pass);
-    return sum;
   }
 
   Hit best(int lane) const { return {best_t_[lane], best_object_[lane], no_leaf}; }
@@ -84,15 +79,6 @@ class Packet {
     for (int lane = 0; lane < lane_count(); ++lane) {
       walk_.t_min[lane] = rays_.t_min[lane];
       walk_.reach[lane] = rays.lanes >> lane & 1u ? rays_.t_max[lane] : -inf;
-    }
-  }
-
-  template <bool any>
-  HWY_INLINE void meet_leaf(const Accelerator& accelerator, const WideLeaf& leaf, unsigned lanes) {
-    for_some_blocks(accelerator.blocks(leaf),
-                    [&](auto blocks) { meet_blocks<any>(blocks, lanes & rays_.active); });
-    for (const LeafObject& object : accelerator.others(leaf)) {
-      meet_object<any>(object, lanes & rays_.active);
     }
   }
 

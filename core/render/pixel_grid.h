@@ -2,7 +2,7 @@
 
 // The rays of a picture: in which tiles, through which points, after which rules.
 
-#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 #include <vector>
@@ -11,6 +11,7 @@
 #include "core/render/sample_pattern.h"
 #include "core/render/shade.h"
 #include "core/render/tracer.h"
+#include "core/render/z_order.h"
 
 namespace bspview {
 
@@ -20,17 +21,14 @@ struct Tile {
   int x0, y0, x1, y1;  ///< pixels x0 <= x < x1, y0 <= y < y1
 };
 
-/// Calls body(x, y) for the pixels of a tile, block after block of 4 x 4, so that as many as are
-/// traced at once lie close together.
+/// Calls body(x, y) for the pixels of a tile in Z order, so that as many as are traced at once lie
+/// close together.
 template <class Body>
 void for_each_pixel(const Tile& tile, const Body& body) {
-  constexpr int side = 4;
-  for (int y0 = tile.y0; y0 < tile.y1; y0 += side) {
-    for (int x0 = tile.x0; x0 < tile.x1; x0 += side) {
-      for (int y = y0; y < std::min(y0 + side, tile.y1); ++y) {
-        for (int x = x0; x < std::min(x0 + side, tile.x1); ++x) body(x, y);
-      }
-    }
+  for (std::uint32_t i = 0; i < tile_size * tile_size; ++i) {
+    const GridPlace place = z_order(i);
+    const int x = tile.x0 + place.x, y = tile.y0 + place.y;
+    if (x < tile.x1 && y < tile.y1) body(x, y);
   }
 }
 

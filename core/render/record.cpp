@@ -21,12 +21,11 @@ std::uint64_t walk(const Tree& tree, Traversal traversal, const RecordedRay& rec
 std::uint64_t walk_together(const World& world, std::span<const RecordedRay> recorded,
                             Replay what) {
   std::vector<Ray> rays;
-  std::vector<float> ends;
   for (const RecordedRay& one : recorded) {
     rays.push_back(one.ray);
-    if (what == Replay::walk) ends.push_back(one.end);
+    rays.back().t_max = one.end;
   }
-  return walk_together(world, rays, ends);
+  return walk_together(world, rays, what == Replay::walk);
 }
 
 std::uint64_t walk_alone(const World& world, const RecordedRay& ray, Replay what) {

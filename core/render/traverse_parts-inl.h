@@ -17,6 +17,9 @@ namespace bspview::HWY_NAMESPACE {
 template <class Leaf>
 HWY_NOINLINE void traverse_part(const LazyPart& part, const WideRay& ray, const float& reach,
                                 Leaf& leaf);
+template <class Meet>
+HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalks& walks,
+                                       const PacketLanes& lanes, Meet& meet);
 
 /// Visits the leaves along the ray, nearest first, as traverse_wide; leaf(accelerator, child) tests
 /// the objects of a leaf of that accelerator.
@@ -37,26 +40,23 @@ HWY_NOINLINE void traverse_part(const LazyPart& part, const WideRay& ray, const 
   traverse_parts(part.accelerator(), ray, reach, leaf);
 }
 
-template <class Leaf>
-HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalk& walk, unsigned lanes,
-                                       Leaf& leaf);
-
-/// The same for several rays at once, as traverse_wide_packet; leaf(accelerator, child, lanes).
-template <class Leaf>
-HWY_INLINE void traverse_parts_packet(const Accelerator& accelerator, const PacketWalk& walk,
-                                      unsigned lanes, Leaf& leaf) {
-  traverse_wide_packet(accelerator.tree(), walk, lanes, [&](std::uint32_t child, unsigned some) {
+/// The same for packets, as traverse_wide_packets; meet(packet, accelerator, child, lanes).
+template <class Meet>
+HWY_INLINE void traverse_parts_packets(const Accelerator& accelerator, const PacketWalks& walks,
+                                       const PacketLanes& lanes, Meet& meet) {
+  const auto leaf = [&](int packet, std::uint32_t child, unsigned some) {
     if (const LazyPart* part = accelerator.part(child)) {
-      return traverse_part_packet(*part, walk, some, leaf);
+      return traverse_part_packet(*part, walks, PacketLanes::only(packet, some), meet);
     }
-    leaf(accelerator, child, some);
-  });
+    meet(packet, accelerator, child, some);
+  };
+  traverse_wide_packets(accelerator.tree(), walks, lanes, 0, leaf);
 }
 
-template <class Leaf>
-HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalk& walk, unsigned lanes,
-                                       Leaf& leaf) {
-  traverse_parts_packet(part.accelerator(), walk, lanes, leaf);
+template <class Meet>
+HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalks& walks,
+                                       const PacketLanes& lanes, Meet& meet) {
+  traverse_parts_packets(part.accelerator(), walks, lanes, meet);
 }
 
 }  // namespace bspview::HWY_NAMESPACE

@@ -6,6 +6,7 @@
 
 #include "core/eval/random_numbers.h"
 #include "core/render/surface.h"
+#include "core/render/z_order.h"
 
 namespace bspview {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, bench_kind_count> kind_names{"primary", "shadow",
                                                                     "scattered"};
 
-constexpr int tile_side = 8, block_width = 4, block_height = 2;  // pixels
+constexpr int tile_side = 8;  // pixels
 constexpr std::size_t tile_pixels = tile_side * tile_side;
 
 /// A side of the picture in tiles.
@@ -31,12 +32,10 @@ Ray normalised(Ray ray) {
 
 /// The eye rays of a tile whose upper left pixel is (left, top).
 void add_tile(const PrimaryRays& picture, int left, int top, std::vector<Ray>& rays) {
-  constexpr int blocks_across = tile_side / block_width, block_pixels = block_width * block_height;
-  for (int i = 0; i < static_cast<int>(tile_pixels); ++i) {
-    const int block = i / block_pixels, pixel = i % block_pixels;
-    const int x = left + block % blocks_across * block_width + pixel % block_width;
-    const int y = top + block / blocks_across * block_height + pixel / block_width;
-    const Ray ray = picture.ray(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+  for (std::uint32_t i = 0; i < tile_pixels; ++i) {
+    const GridPlace place = z_order(i);
+    const Vec2 pixel(static_cast<float>(left + place.x), static_cast<float>(top + place.y));
+    const Ray ray = picture.ray(pixel.x + 0.5f, pixel.y + 0.5f);
     rays.push_back(normalised(ray));
   }
 }

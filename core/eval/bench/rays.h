@@ -26,7 +26,7 @@ struct BenchBatch {
 };
 
 /// The rays of one kind of a picture of about `count` pixels, in an order that suits packets:
-/// - primary: tile after tile of 8 x 8 pixels, in each block after block of 4 x 2;
+/// - primary: tile after tile of 8 x 8 pixels, each in Z order;
 /// - shadow: light after light, for each the tiles (in that order) that are its turn, so that there
 ///   are about as many as primary ones; only from where the light is not behind the surface;
 /// - scattered: one from every hit, in random order.

@@ -75,7 +75,7 @@ std::vector<Ray> bundle(int count, Random& random) {
   std::vector<Ray> rays;
   Vec3 eye(0.0f), target(0.0f);
   for (int i = 0; i < count; ++i) {
-    if (i % 64 == 0) {
+    if (i % 40 == 0) {  // some packets, and groups of them, are mixed
       eye = 4.0f * random.direction();
       target = random.point(0.5f);
     }
