@@ -78,7 +78,7 @@ class Packet {
     }
     for (int lane = 0; lane < lane_count(); ++lane) {
       walk_.t_min[lane] = rays_.t_min[lane];
-      walk_.reach[lane] = rays.lanes >> lane & 1u ? rays_.t_max[lane] : -inf;
+      walk_.reach[lane] = rays.lanes >> lane & 1u ? rays_.t_max[lane] * hit_margin : -inf;
     }
   }
 

@@ -20,9 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace bspview::HWY_NAMESPACE {
 
 /// Whether the wide tree can take a ray: none that starts before its origin, is no ray, or has a
-/// direction whose reciprocal could overflow.
+/// component other than 0 whose reciprocal could overflow.
 HWY_INLINE bool is_plain(const Ray& ray) {
-  const float size = largest_component(magnitudes(ray.direction));
+  const Vec3 sizes = magnitudes(ray.direction);
+  const float size = largest_component(sizes);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (sizes[axis] < std::numeric_limits<float>::min() && sizes[axis] != 0.0f) return false;
+  }
   const Vec3 zero = 0.0f * (ray.origin + ray.direction);
   return size > 0x1p-20f && size < 0x1p20f && zero == Vec3(0.0f) && ray.t_min >= 0.0f &&
          ray.t_min < ray.t_max;
@@ -58,7 +62,7 @@ class SingleRay {
         sees_backs_(rule == SideRule::two_sided || world.scene.two_sided),
         ray_(ray),
         triangle_ray_(ray, reach_of(world.tree.box, ray.origin)),
-        reach_(ray.t_max) {}
+        reach_(ray.t_max * hit_margin) {}
 
   /// visit() is told of each leaf.
   template <class Visit>

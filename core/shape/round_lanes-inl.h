@@ -67,9 +67,11 @@ HWY_INLINE unsigned lanes_near_cone(const RayLanes& rays, const Cone& cone) {
       hn::Mul(d.sum_of_magnitudes(), all(static_cast<float>(sum_of_magnitudes(axis))));
   const FloatV error = hn::Mul(hn::Mul(all(32.0f * unit_roundoff), size), f.sum_of_magnitudes());
   const float widest = std::max(std::abs(cone.base_radius), std::abs(cone.apex_radius));
-  const FloatV length = hn::Add(hn::Mul(hn::Sqrt(n.dot(n)), all(1.0f + 8.0f * unit_roundoff)),
-                                hn::Mul(all(8.0f * unit_roundoff), size));
-  const FloatV far = hn::Add(hn::Mul(length, all(widest * (1.0f + 4.0f * unit_roundoff))), error);
+  const FloatV length = hn::Add(
+      hn::Mul(hn::Sqrt(hn::Add(n.dot(n), all(0x1p-120f))), all(1.0f + 8.0f * unit_roundoff)),
+      hn::Mul(all(8.0f * unit_roundoff), size));
+  const FloatV far = hn::Add(hn::Mul(length, all(widest * (1.0f + 4.0f * unit_roundoff))),
+                             hn::Add(error, all(0x1p-120f)));
   return ~bits_of(floats, hn::Gt(hn::Abs(f.dot(n)), far));
 }
 

@@ -4,6 +4,8 @@
 
 #include <hwy/targets.h>
 
+#include <cmath>
+
 #include "core/render/accelerator.h"
 #include "core/render/scene_tree.h"
 #include "tests/support/random.h"
@@ -154,6 +156,40 @@ TEST_P(HitsTest, RaysInPlanesAndAlongAxesFindWhatTheBinaryTreeFinds) {
     }
     if (direction == Vec3(0.0f)) direction.x = 1.0f;
     for (int k = 0; k < 4; ++k) rays.push_back({origin, direction});
+  }
+  expect_answers_of_binary_tree(test::cube_grid(8, Vec3(0.0f)), rays, SideRule::two_sided);
+}
+
+TEST_P(HitsTest, RaysThatEndJustBehindWhatTheyHitFindIt) {
+  Random random(7);
+  const auto step = [&] { return 0.25f * static_cast<float>(random.below(33) - 16); };
+  const Scene scene = test::cube_grid(8, Vec3(0.0f));
+  const auto tree = build_scene_tree(scene, {});
+  NoObserver none;
+  std::vector<Ray> rays;
+  while (rays.size() < 8000) {
+    Ray ray{{step(), step(), step()}, {step(), step(), step()}};
+    const Hit hit = closest_hit({scene, *tree}, ray, {}, none);
+    if (!hit) continue;
+    const float t = static_cast<float>(hit.t);
+    ray.t_max = t > hit.t ? t : std::nextafter(t, 2.0f * t);
+    rays.push_back(ray);
+  }
+  expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
+}
+
+TEST_P(HitsTest, RaysNearlyAlongPlanesFindWhatTheBinaryTreeFinds) {
+  Random random(8);
+  const auto step = [&] { return 0.25f * static_cast<float>(random.below(17) - 8); };
+  std::vector<Ray> rays;
+  for (int i = 0; i < 4000; ++i) {
+    Ray ray{{step(), step(), step()}, {step(), step(), step()}};
+    const int axis = random.below(3), next = (axis + 1) % 3;
+    if (ray.direction[next] == 0.0f) ray.direction[next] = 1.0f;
+    ray.direction[axis] = random.below(2) == 0 ? 1e-40f : -1e-40f;  // less than any normal number
+    rays.push_back(ray);
+    ray.origin[axis] = -ray.direction[axis];
+    rays.push_back(ray);
   }
   expect_answers_of_binary_tree(test::cube_grid(8, Vec3(0.0f)), rays, SideRule::two_sided);
 }
