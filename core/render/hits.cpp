@@ -84,7 +84,7 @@ std::uint32_t walk_leaves_here(const World& world, const Ray& ray, std::uint32_t
   const WideRay wide(ray);
   std::uint32_t last = wide.near_row[0] == 0 ? 0 : no_leaf;  // of the ray, lest it be left out
   if (leaves == 0) return last;
-  float reach = ray.t_max;
+  float reach = ray.t_max * hit_margin;
   const auto pass = [&](const Accelerator&, std::uint32_t child) {
     last = child;
     if (--leaves == 0) reach = -1.0f;
@@ -96,9 +96,10 @@ std::uint32_t walk_leaves_here(const World& world, const Ray& ray, std::uint32_t
 /// One ray to the end of its interval. Answers the names of the leaves, added up.
 std::uint64_t walk_alone(const World& world, const Ray& ray) {
   std::uint64_t sum = 0;
+  const float reach = ray.t_max * hit_margin;
   if (!is_plain(ray)) return sum;
   const auto pass = [&](const Accelerator&, std::uint32_t child) { sum += child; };
-  traverse_parts(*world.accelerator, WideRay(ray), ray.t_max, pass);
+  traverse_parts(*world.accelerator, WideRay(ray), reach, pass);
   return sum;
 }
 
