@@ -14,7 +14,7 @@ namespace {
 std::size_t deferred_size(std::size_t objects) {
   constexpr std::size_t share = 16;
   if (objects <= most_built_objects) return 0;
-  if (objects <= 2 * most_tested_objects) return most_built_objects;
+  if (objects <= most_tested_objects) return most_built_objects;
   return std::max(most_tested_objects, objects / share);
 }
 
@@ -26,7 +26,7 @@ void put_off(BuildJob& job, Builder builder, std::size_t objects) {
 }
 
 GrowTree* upper_rule(Builder builder) {
-  return rule_of(builder == Builder::sah ? Builder::sah_binned : builder);
+  return builder == Builder::sah ? grow_sah_sampled : rule_of(builder);
 }
 
 PartialTree grow_partial(const BuildJob& job, const BuildParams& params, const PartsSource& parts) {

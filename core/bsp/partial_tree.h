@@ -23,8 +23,8 @@ inline constexpr std::size_t most_built_objects = 64;
 inline constexpr std::size_t most_tested_objects = 1024;
 
 /// The upper part of what build_tree builds, with the same errors. `sah` prices the planes of nodes
-/// with many objects by bins, as `sah-binned` does; every other builder splits them as ever.
-/// `naive` has no upper part.
+/// with many objects by bins, and those of very many by a sample of them; every other builder
+/// splits them as ever. `naive` has no upper part.
 Result<PartialTree> build_partial_tree(const BuildInput& input, const BuildParams& params,
                                        std::stop_token stop = {});
 
