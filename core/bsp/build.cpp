@@ -1,11 +1,11 @@
 #include "core/bsp/build.h"
 
 #include <array>
-#include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
 #include "core/bsp/grow.h"
+#include "core/bsp/split_rules.h"
 
 namespace bspview {
 namespace {
@@ -44,13 +44,6 @@ void grow_naive(const BuildJob&, ObjectParts parts, Branch& branch) {
   for (const ObjectPart& part : parts) branch.references.push_back(part.object);
 }
 
-bool is_placeable(const Aabb& box) {
-  const auto finite = [](Vec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  };
-  return !box.empty() && finite(box.lo) && finite(box.hi);
-}
-
 std::span<const std::string_view> builder_names() {
   return rule_names;
 }
@@ -71,7 +64,10 @@ Result<Tree> build_tree(const BuildInput& input, const BuildParams& params, cons
     if (watch.progress) job.progress = &progress;
     GrownTree grown;
     with_threads(params.threads, [&] {
-      grown = grow_tree(rule_of(params.builder), job, [&] { return placeable_objects(job); });
+      GrowTree* const rule = rule_of(params.builder);
+      grown = grow_tree([rule](const BuildJob& one,
+                               Branch& branch) { rule(one, placeable_objects(one), branch); },
+                        job);
     });
     progress.tell_rest();
     return Tree{.box = job.box,

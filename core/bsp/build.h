@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 
 #include "core/base/result.h"
@@ -11,7 +12,12 @@
 namespace bspview {
 
 /// Whether an object with that box is put into leaves: not when it is empty, infinite or NaN.
-bool is_placeable(const Aabb& box);
+inline bool is_placeable(const Aabb& box) {
+  constexpr float most = std::numeric_limits<float>::max();
+  const auto is_range = [](float lo, float hi) { return -most <= lo && lo <= hi && hi <= most; };
+  return is_range(box.lo.x, box.hi.x) && is_range(box.lo.y, box.hi.y) &&
+         is_range(box.lo.z, box.hi.z);
+}
 
 /// Box of the part of object `object` inside `cell`, rounded outwards; empty when there is none.
 using ClipFunction = std::function<Aabb(std::uint32_t object, const Aabb& cell)>;

@@ -8,7 +8,7 @@ namespace {
 /// Deals ranges of parts: first each says how many go to which leaf, then each knows their places.
 class Dealer {
  public:
-  Dealer(const BuildJob& job, std::span<const ObjectPart> parts, const DealTree& tree)
+  Dealer(const BuildJob& job, const PartsView& parts, const DealTree& tree)
       : job_(job), parts_(parts), tree_(tree), ranges_(range_count(parts.size())) {
     leaves_.resize(parts.size());
   }
@@ -25,7 +25,7 @@ class Dealer {
   }
 
  private:
-  static constexpr std::uint32_t several = 0xffffffffu;  // leaves
+  static constexpr std::uint32_t several = 0xffffffffu, none = 0xfffffffeu;  // leaves
 
   struct Piece {
     std::uint32_t leaf;
@@ -39,25 +39,30 @@ class Dealer {
   void find_leaves(Range& range, std::size_t first, std::size_t last) {
     range.places.assign(tree_.leaf_count, 0);
     for (std::size_t i = first; i < last; ++i) {
-      leaves_[i] = leaf_of(parts_[i].box);
-      if (leaves_[i] != several) {
+      leaves_[i] = leaf_of(parts_.box(i));
+      if (leaves_[i] < tree_.leaf_count) {
         ++range.places[leaves_[i]];
-      } else {
+      } else if (leaves_[i] == several) {
         divide(range, 0, parts_[i]);
       }
     }
   }
 
   std::uint32_t leaf_of(const Aabb& box) const {
-    std::uint32_t index = 0;
-    while (!tree_.nodes[index].is_leaf()) {
-      const Node& node = tree_.nodes[index];
-      const bool goes_left = box.lo[node.axis()] <= node.split();
-      const bool goes_right = box.hi[node.axis()] >= node.split();
-      if (goes_left && goes_right) return several;
-      index = node.left() + static_cast<std::uint32_t>(goes_right);
+    if (!is_placeable(box)) return none;
+    // Branches are foretold well: objects that follow each other mostly lie together.
+    const Node* node = &tree_.nodes[0];
+    while (!node->is_leaf()) {
+      const Node* const children = &tree_.nodes[node->left()];
+      if (component(box.hi, node->axis()) < node->split()) {
+        node = children;
+      } else if (component(box.lo, node->axis()) > node->split()) {
+        node = children + 1;
+      } else {
+        return several;
+      }
     }
-    return tree_.nodes[index].first_reference();
+    return node->first_reference();
   }
 
   void divide(Range& range, std::uint32_t index, const ObjectPart& part) const {
@@ -97,18 +102,20 @@ class Dealer {
     };
     auto piece = range.pieces.begin();
     for (std::size_t i = first; i < last; ++i) {
+      if (leaves_[i] == none) continue;
+      const ObjectPart part = parts_[i];
       if (leaves_[i] != several) {
-        put(leaves_[i], parts_[i]);
+        put(leaves_[i], part);
         continue;
       }
-      for (; piece != range.pieces.end() && piece->part.object == parts_[i].object; ++piece) {
+      for (; piece != range.pieces.end() && piece->part.object == part.object; ++piece) {
         put(piece->leaf, piece->part);
       }
     }
   }
 
   const BuildJob& job_;
-  const std::span<const ObjectPart> parts_;
+  const PartsView parts_;
   const DealTree& tree_;
   std::vector<Range> ranges_;
   RawVector<std::uint32_t> leaves_;  // by part
@@ -116,7 +123,7 @@ class Dealer {
 
 }  // namespace
 
-std::vector<ObjectParts> deal_parts(const BuildJob& job, std::span<const ObjectPart> parts,
+std::vector<ObjectParts> deal_parts(const BuildJob& job, const PartsView& parts,
                                     const DealTree& tree) {
   return Dealer(job, parts, tree).deal();
 }

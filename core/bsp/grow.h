@@ -8,7 +8,6 @@
 
 #include "core/base/result.h"
 #include "core/bsp/branch.h"
-#include "core/bsp/split_rules.h"
 
 namespace bspview {
 
@@ -20,11 +19,11 @@ struct GrownTree {
   bool memory_limit_reached = false;
 };
 
-/// What a tree is grown of, in ascending order of the objects; called once a try.
-using PartsSource = std::function<ObjectParts()>;
+/// Grows a tree into an empty branch; called once a try.
+using GrowBranch = std::function<void(const BuildJob& job, Branch& branch)>;
 
 /// The whole tree, or else the deepest one that job.memory_limit allows. A lone root always fits.
-GrownTree grow_tree(GrowTree* grow, BuildJob job, const PartsSource& parts);
+GrownTree grow_tree(const GrowBranch& grow, BuildJob job);
 
 /// What work() answers, or the error that every builder answers where it throws.
 template <class Work>

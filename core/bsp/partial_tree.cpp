@@ -6,6 +6,8 @@
 #include "core/base/parallel.h"
 #include "core/base/timer.h"
 #include "core/bsp/grow.h"
+#include "core/bsp/grow_sampled.h"
+#include "core/bsp/split_rules.h"
 
 namespace bspview {
 namespace {
@@ -25,14 +27,17 @@ void put_off(BuildJob& job, Builder builder, std::size_t objects) {
   job.costs.counts_all = job.deferred_size > 0 && builder == Builder::sah;
 }
 
-GrowTree* upper_rule(Builder builder) {
-  return builder == Builder::sah ? grow_sah_sampled : rule_of(builder);
+GrowBranch upper_rule(Builder builder, const BuildJob& job, const PartsView& parts) {
+  if (builder == Builder::sah && is_worth_sampling(job, parts.size())) {
+    return [&](const BuildJob& one, Branch& branch) { grow_sampled(one, parts, branch); };
+  }
+  const bool by_bins = builder == Builder::sah && job.deferred_size > 0;
+  GrowTree* const rule = rule_of(by_bins ? Builder::sah_binned : builder);
+  return [&, rule](const BuildJob& one, Branch& branch) { rule(one, parts.list(one), branch); };
 }
 
-PartialTree grow_partial(const BuildJob& job, const BuildParams& params, const PartsSource& parts) {
-  GrowTree* const rule =
-      job.deferred_size > 0 ? upper_rule(params.builder) : rule_of(params.builder);
-  GrownTree grown = grow_tree(rule, job, parts);
+PartialTree grow_partial(const BuildJob& job, const BuildParams& params, const PartsView& parts) {
+  GrownTree grown = grow_tree(upper_rule(params.builder, job, parts), job);
   std::ranges::sort(grown.deferred, {}, &DeferredLeaf::node);
   PartialTree partial{.tree = {.box = job.box,
                                .nodes = std::move(grown.nodes),
@@ -57,7 +62,7 @@ Result<PartialTree> build_partial_tree(const BuildInput& input, const BuildParam
     with_threads(params.threads, [&] {
       BuildJob job = make_job(input, params, root_box(input, stop), stop);
       put_off(job, params.builder, input.boxes.size());
-      partial = grow_partial(job, params, [&] { return placeable_objects(job); });
+      partial = grow_partial(job, params, PartsView(input));
     });
     partial.tree.build_seconds = timer.seconds();
     return partial;
@@ -76,7 +81,7 @@ Result<PartialTree> build_deferred(const BuildInput& input, const Tree& whole,
     job.depth = leaf.place.depth;
     put_off(job, params.builder, leaf.parts.size());
     PartialTree partial;
-    with_threads(1, [&] { partial = grow_partial(job, whole.params, [&] { return leaf.parts; }); });
+    with_threads(1, [&] { partial = grow_partial(job, whole.params, PartsView(leaf.parts)); });
     partial.tree.build_seconds = timer.seconds();
     return partial;
   });

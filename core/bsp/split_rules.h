@@ -16,7 +16,6 @@ GrowTree grow_object_median;  // split_object_median.cpp
 GrowTree grow_mb;             // split_mb.cpp
 GrowTree grow_sah;            // split_sah_sweep.cpp
 GrowTree grow_sah_binned;     // split_sah_binned.cpp
-GrowTree grow_sah_sampled;    // split_sah_sampled.cpp; of trees that grow
 
 /// That of a builder.
 GrowTree* rule_of(Builder builder);

@@ -23,9 +23,7 @@ bool is_triangle(const Scene& scene, std::uint32_t object) {
 
 /// What rays can hit of the objects in a leaf that was put off, in its cell.
 Aabb hit_bounds(const Scene& scene, const LazyPart& part) {
-  Aabb box;
-  for (const ObjectPart& object : part.objects()) box.grow(hit_bounds(scene, object));
-  return intersection(box, part.place().cell);
+  return intersection(hit_bounds(scene, part.objects()), part.place().cell);
 }
 
 /// A tree whose objects are numbered from 0 on, so that few take little room; each leaf that was

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/bsp/deferred_leaf.h"
 #include "core/scene/scene.h"
 
@@ -9,5 +11,6 @@ namespace bspview {
 // its test rounds.
 Aabb hit_bounds(const Scene& scene, std::uint32_t id);
 Aabb hit_bounds(const Scene& scene, const ObjectPart& part);
+Aabb hit_bounds(const Scene& scene, std::span<const ObjectPart> parts);  ///< around all of them
 
 }  // namespace bspview

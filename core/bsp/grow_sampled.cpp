@@ -1,10 +1,10 @@
-// Wide nodes of trees that grow: planes are found among a sample of the objects, by bins (see
-// bin_planes.cpp), for several levels at once; then every object goes to its leaf.
+// Planes are found by bins (see bin_planes.cpp) for several levels at once, among a sample of the
+// objects; then every object goes to its leaf.
+
+#include "core/bsp/grow_sampled.h"
 
 #include "core/bsp/binned_parts.h"
-#include "core/bsp/dealt_parts.h"
 #include "core/bsp/recursion.h"
-#include "core/bsp/split_rules.h"
 
 namespace bspview {
 namespace {
@@ -13,21 +13,27 @@ namespace {
 constexpr std::size_t most_in_leaf = 96;
 static_assert(most_in_leaf >= most_few_parts);
 
+std::size_t stride_of(const BuildJob& job) {
+  return job.deferred_size / most_in_leaf;
+}
+
 /// One of each `stride` parts, not always the same one: objects often come in groups of one size.
-ObjectParts take_sample(std::span<const ObjectPart> parts, std::size_t stride) {
+ObjectParts take_sample(const PartsView& parts, std::size_t stride) {
   ObjectParts sample;
   sample.reserve(parts.size() / stride);
   for (std::size_t first = 0; first + stride <= parts.size(); first += stride) {
     const std::uint64_t scrambled = (first + 1) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
-    sample.push_back(parts[first + (scrambled >> 32) % stride]);
+    const ObjectPart part = parts[first + (scrambled >> 32) % stride];
+    if (is_placeable(part.box)) sample.push_back(part);
   }
   return sample;
 }
 
 class SampledTree {
  public:
-  SampledTree(const BuildJob& job, std::span<const ObjectPart> parts, std::size_t stride)
-      : job_(job), most_(job.deferred_size / stride) {
+  SampledTree(const BuildJob& job, const PartsView& parts)
+      : job_(job), most_(job.deferred_size / stride_of(job)) {
+    const std::size_t stride = stride_of(job);
     BuildJob sampled = job;
     sampled.costs.intersection *= static_cast<double>(stride);
     sampled.leaf_size /= stride;
@@ -43,7 +49,7 @@ class SampledTree {
     number(0, {job.box, job.depth});
   }
 
-  void fill(std::span<const ObjectPart> parts, Branch& branch) {
+  void fill(const PartsView& parts, Branch& branch) {
     tree_.leaf_count = leaves_.size();
     std::vector<ObjectParts> dealt = deal_parts(job_, parts, tree_);
     std::size_t references = 0;
@@ -90,11 +96,12 @@ class SampledTree {
 
 }  // namespace
 
-void grow_sah_sampled(const BuildJob& job, ObjectParts parts, Branch& branch) {
-  const std::size_t stride = job.deferred_size / most_in_leaf;
-  if (stride < 2 || parts.size() < 2 * job.deferred_size)
-    return grow_sah_binned(job, std::move(parts), branch);
-  SampledTree(job, parts, stride).fill(parts, branch);
+bool is_worth_sampling(const BuildJob& job, std::size_t objects) {
+  return stride_of(job) > 1 && objects >= 2 * job.deferred_size;
+}
+
+void grow_sampled(const BuildJob& job, const PartsView& parts, Branch& branch) {
+  SampledTree(job, parts).fill(parts, branch);
   meter(job, branch);
 }
 
