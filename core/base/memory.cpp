@@ -56,13 +56,4 @@ void free_pages(void* first, std::size_t) noexcept {
 
 #endif
 
-RawBytes make_raw_bytes(std::size_t size) {
-  void* const first = size < fewest_page_bytes ? ::operator new(size) : allocate_pages(size);
-  return {static_cast<std::byte*>(first), FreeBytes{size}};
-}
-
-void FreeBytes::operator()(std::byte* first) const noexcept {
-  size < fewest_page_bytes ? ::operator delete(first) : free_pages(first, size);
-}
-
 }  // namespace bspview

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 
 namespace bspview {
 
@@ -16,13 +15,5 @@ inline constexpr std::size_t fewest_page_bytes = std::size_t{1} << 22;
 /// microsecond each to touch and to give back, 25 ms for 100 MB. Throws std::bad_alloc.
 [[nodiscard]] void* allocate_pages(std::size_t bytes);
 void free_pages(void* first, std::size_t bytes) noexcept;
-
-/// Bytes without a value; aligned as operator new does, or better.
-struct FreeBytes {
-  std::size_t size = 0;
-  void operator()(std::byte* first) const noexcept;
-};
-using RawBytes = std::unique_ptr<std::byte[], FreeBytes>;
-RawBytes make_raw_bytes(std::size_t size);
 
 }  // namespace bspview

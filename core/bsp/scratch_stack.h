@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/memory.h"
+#include "core/base/raw_vector.h"
 
 namespace bspview {
 
@@ -54,14 +54,10 @@ class ScratchStack {
   ScratchStack& operator=(const ScratchStack&) = delete;
 
  private:
-  struct Block {
-    RawBytes bytes;
-    std::size_t size = 0;
-  };
-
   void* take(std::size_t bytes);
 
-  std::vector<Block> blocks_;  // those before the top one are full, those behind it are free
+  std::vector<RawVector<std::byte>>
+      blocks_;  // those before the top one are full, those behind it are free
   Mark top_;
 };
 
