@@ -45,7 +45,9 @@ struct BuiltTree {
   /// a builder that is sooner done (see `request`), until that one is there.
   enum class Origin { build, cut, sketch };
 
-  BuiltTree(const TreeRequest& of, std::shared_ptr<const Tree> made, Origin from);
+  /// Without use when a stop is requested while it is made.
+  BuiltTree(const TreeRequest& of, std::shared_ptr<const Tree> made, Origin from,
+            const std::stop_token& stop);
   TreeRequest request;
   std::shared_ptr<const Tree> shared;
   const Tree& tree;

@@ -55,22 +55,22 @@ class TreeWork::Grower {
     if (!is_turned_at(request) || !is_worth_a_sketch(request.scene->counts)) return nullptr;
     TreeRequest about = request;
     about.params.builder = Builder::sah_binned;
-    Result<Tree> tree = build_scene_tree(about.scene->scene, about.params,
-                                         watch_build(std::move(stop), sketch_share));
+    Result<Tree> tree =
+        build_scene_tree(about.scene->scene, about.params, watch_build(stop, sketch_share));
     if (!tree) return nullptr;
-    return std::make_shared<const BuiltTree>(about, std::make_shared<const Tree>(*std::move(tree)),
-                                             BuiltTree::Origin::sketch);
+    auto built = std::make_shared<const BuiltTree>(
+        about, std::make_shared<const Tree>(*std::move(tree)), BuiltTree::Origin::sketch, stop);
+    return stop.stop_requested() ? nullptr : built;
   }
 
   Result<Grown> grow(const TreeRequest& request, std::stop_token stop) {
-    set_under_way(std::nullopt);  // in case that the work before ran out of memory
     const bool is_new = !last_ || !is_family(*last_, request);
     if (is_new) {
       whole_ = {};
       largest_fits_ = request.scene->counts.objects <= most_objects;
     }
     last_ = request;
-    if (std::optional<Grown> part = cut_from_whole(request.params)) return *std::move(part);
+    if (std::optional<Grown> part = cut_from_whole(request, stop)) return *std::move(part);
     is_untidy_ = true;
     return is_new ? grow_first(request, stop) : grow_next(request, stop);
   }
@@ -81,7 +81,12 @@ class TreeWork::Grower {
   }
 
   double progress() const { return done_; }
-  void restart_progress() { done_ = 0.0; }
+
+  /// Nothing is under way any more.
+  void rest() {
+    done_ = 0.0;
+    set_under_way(std::nullopt);
+  }
 
   bool serves(const TreeRequest& wish) const {
     const std::lock_guard lock(mutex_);
@@ -96,10 +101,11 @@ class TreeWork::Grower {
            request.params.builder == Builder::sah && !is_family(*last_, request);
   }
 
-  std::optional<Grown> cut_from_whole(const BuildParams& params) const {
+  std::optional<Grown> cut_from_whole(const TreeRequest& request, const std::stop_token& stop) {
     if (!whole_.tree) return {};
-    if (params == whole_.tree->params) return Grown{whole_.tree};
-    std::optional<Tree> tree = cut(whole_, params);
+    if (whole_.inner) set_under_way(TreeRequest{request.scene, whole_.tree->params});
+    if (request.params == whole_.tree->params) return Grown{whole_.tree};
+    std::optional<Tree> tree = cut(whole_, request.params, stop);
     if (!tree) return {};
     return Grown{std::make_shared<const Tree>(*std::move(tree)), BuiltTree::Origin::cut};
   }
@@ -122,7 +128,7 @@ class TreeWork::Grower {
       constexpr InnerLimit whole_or_nothing{inner_bytes, InnerLimit::WhenPassed::do_not_build};
       const auto grown = grow_whole(without_limits(request), whole_or_nothing, stop);
       if (stop.stop_requested()) return Error{"stopped"};
-      if (std::optional<Grown> part = cut_from_whole(request.params)) return *std::move(part);
+      if (std::optional<Grown> part = cut_from_whole(request, stop)) return *std::move(part);
       largest_fits_ = false;
     }
     return grow_as_asked(request, stop);
@@ -140,9 +146,9 @@ class TreeWork::Grower {
     const SceneBuildInput objects(request.scene->scene, default_test_costs, stop);
     Result<MaximalTree> whole = build_maximal_tree(objects.input(), request.params, limit,
                                                    watch_build(std::move(stop), 1.0 - done_));
-    set_under_way(std::nullopt);
     if (!whole) return whole.error();
     whole_ = *std::move(whole);
+    if (!whole_.inner) set_under_way(std::nullopt);
     whole_.tree->build_seconds = timer.seconds();
     return {};
   }
@@ -168,19 +174,33 @@ class TreeWork::Grower {
   std::atomic<double> done_ = 0.0;  // of the work under way
 
   mutable std::mutex mutex_;
-  std::optional<TreeRequest> under_way_;  // guarded; others will be cut from it
+  std::optional<TreeRequest> under_way_;  // guarded; others are or will be cut from it
+};
+
+/// Ends work however it ends.
+class TreeWork::Rest {
+ public:
+  explicit Rest(Grower& grower) : grower_(grower) {}
+  ~Rest() { grower_.rest(); }
+  Rest(const Rest&) = delete;
+  Rest& operator=(const Rest&) = delete;
+
+ private:
+  Grower& grower_;
 };
 
 TreeWork::TreeWork() : grower_(std::make_shared<Grower>()) {}
 
 Result<void> TreeWork::operator()(const TreeRequest& request, std::stop_token stop,
                                   const Publish<BuiltTree>& publish) {
-  grower_->restart_progress();
+  const Rest afterwards(*grower_);
   if (const auto sketch = grower_->sketch(request, stop)) publish(sketch);
   Result<Grower::Grown> grown = grower_->grow(request, stop);
-  grower_->restart_progress();
   if (!grown) return grown.error();
-  publish(std::make_shared<const BuiltTree>(request, std::move(grown->tree), grown->origin));
+  const auto built =
+      std::make_shared<const BuiltTree>(request, std::move(grown->tree), grown->origin, stop);
+  if (stop.stop_requested()) return Error{"stopped"};
+  publish(built);
   grower_->tidy();
   return {};
 }

@@ -13,13 +13,14 @@ constexpr double measuring_patience = 5.0;  // seconds: slow pictures are not me
 
 }  // namespace
 
-BuiltTree::BuiltTree(const TreeRequest& of, std::shared_ptr<const Tree> made, Origin from)
+BuiltTree::BuiltTree(const TreeRequest& of, std::shared_ptr<const Tree> made, Origin from,
+                     const std::stop_token& stop)
     : request(of),
       shared(std::move(made)),
       tree(*shared),
       origin(from),
-      stats(tree_stats(tree)),
-      cells(tree) {}
+      stats(tree_stats(tree, stop)),
+      cells(tree, stop) {}
 
 World BuiltTree::fast_world(std::stop_token stop) const {
   const std::lock_guard lock(accelerating_);

@@ -39,6 +39,7 @@ class TreeWork {
 
  private:
   class Grower;
+  class Rest;
   std::shared_ptr<Grower> grower_;  // shared by copies
 };
 

@@ -16,14 +16,11 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, Branch& part
                           : Node::make_inner(node.axis(), node.split(), node.left() + first_node);
   };
   whole.nodes[slot] = moved(part.nodes[0]);
+  make_room(job, whole.nodes, part.nodes.size() - 1);
   job.for_each(part.nodes.size() - 1, light_steps,
                [&](std::size_t i) { whole.nodes.push_back(moved(part.nodes[i + 1])); });
-  const std::span<const std::uint32_t> references = part.references;
-  job.for_each(range_count(references.size()), 1, [&](std::size_t i) {
-    const auto from = references.subspan(i * range_size);
-    const auto some = from.first(std::min(range_size, from.size()));
-    whole.references.insert(whole.references.end(), some.begin(), some.end());
-  });
+  make_room(job, whole.references, part.references.size());
+  append(job, whole.references, std::span<const std::uint32_t>(part.references));
   for (DeferredLeaf& leaf : part.deferred) {
     leaf.node = leaf.node == 0 ? slot : leaf.node + first_node;
     whole.deferred.push_back(std::move(leaf));

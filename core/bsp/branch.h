@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/bsp/build_job.h"
@@ -25,6 +28,26 @@ struct Branch {
     return nodes.size() * sizeof(Node) + references.size() * sizeof(std::uint32_t);
   }
 };
+
+/// Puts `part` at the end and polls meanwhile: memory that is touched first takes its time.
+template <class T>
+void append(const BuildJob& job, RawVector<T>& whole, std::span<const T> part) {
+  job.for_each(range_count(part.size()), 1, [&](std::size_t i) {
+    const auto from = part.subspan(i * range_size);
+    const auto some = from.first(std::min(range_size, from.size()));
+    whole.insert(whole.end(), some.begin(), some.end());
+  });
+}
+
+/// Makes room for `more` elements as push_back does, but polls.
+template <class T>
+void make_room(const BuildJob& job, RawVector<T>& elements, std::size_t more) {
+  if (elements.capacity() - elements.size() >= more) return;
+  RawVector<T> larger;
+  larger.reserve(std::max(2 * elements.capacity(), elements.size() + more));
+  append(job, larger, std::span<const T>(elements));
+  elements = std::move(larger);
+}
 
 /// Tells the job's meter, if there is one, of what was added since the last time.
 void meter(const BuildJob& job, Branch& branch);

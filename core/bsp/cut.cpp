@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <new>
 #include <utility>
-#include <vector>
 
+#include "core/base/raw_vector.h"
 #include "core/base/timer.h"
 #include "core/bsp/cost.h"
 
@@ -22,31 +22,37 @@ bool same_costs(const BuildParams& first, const BuildParams& second) {
          a.empty_factor == b.empty_factor;
 }
 
-/// Whether some leaf lies at the maximal depth: a deeper tree might have more nodes.
-bool reaches_maximal_depth(const Tree& tree) {
-  std::vector<std::uint8_t> depths(tree.nodes.size(), 0);
+/// Whether some leaf lies at the maximal depth: a deeper tree might have more nodes. False soon
+/// after a stop is requested.
+bool reaches_maximal_depth(const Tree& tree, const std::stop_token& stop) {
+  constexpr std::size_t nodes_between_looks = std::size_t{1} << 16;
+  RawVector<std::uint8_t> depths;
+  depths.resize(tree.nodes.size());
+  depths[0] = 0;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    if (i % nodes_between_looks == 0 && stop.stop_requested()) return false;
+    if (depths[i] == tree.max_depth) return true;
     const Node& node = tree.nodes[i];
     if (!node.is_leaf()) depths[node.left()] = depths[node.right()] = depths[i] + 1;
   }
-  return *std::ranges::max_element(depths) == tree.max_depth;
+  return false;
 }
 
 /// Whether the limits in `params` stop the builder nowhere later than those of `whole`.
-bool is_within(const Tree& whole, const BuildParams& params) {
+bool is_within(const Tree& whole, const BuildParams& params, const std::stop_token& stop) {
   // The whole tree then does not know what testing the objects costs.
   if (whole.params.cost_intersection && !params.cost_intersection) return false;
   if (is_part(params, whole.params, whole.object_count)) return true;
   BuildParams deeper = whole.params;
   deeper.max_depth = depth_cap;
-  return is_part(params, deeper, whole.object_count) && !reaches_maximal_depth(whole);
+  return is_part(params, deeper, whole.object_count) && !reaches_maximal_depth(whole, stop);
 }
 
 /// Grows a tree like Recursion does, with the planes of another one.
 class Regrowth {
  public:
-  Regrowth(const MaximalTree& whole, Tree& tree)
-      : whole_(*whole.tree), inner_(whole.inner->lists), tree_(tree) {}
+  Regrowth(const MaximalTree& whole, Tree& tree, const std::stop_token& stop)
+      : whole_(*whole.tree), inner_(whole.inner->lists), tree_(tree), stop_(stop) {}
 
   void grow_root() {
     tree_.nodes.reserve(whole_.nodes.size());
@@ -58,6 +64,7 @@ class Regrowth {
  private:
   /// Makes node `from` of the whole tree node `to` of the new one.
   void grow(std::uint32_t from, std::uint32_t to, int depth) {
+    if (stop_.stop_requested()) return;
     const Node& node = whole_.nodes[from];
     if (node.is_leaf()) return make_leaf(to, whole_.objects_of(node));
     const std::span<const std::uint32_t> objects = inner_[(node.left() - 1) / 2];
@@ -79,12 +86,14 @@ class Regrowth {
   const Tree& whole_;
   const InnerLists& inner_;
   Tree& tree_;
+  const std::stop_token& stop_;
 };
 
-std::optional<Tree> regrow(const MaximalTree& whole, const BuildParams& params) {
+std::optional<Tree> regrow(const MaximalTree& whole, const BuildParams& params,
+                           const std::stop_token& stop) {
   const Timer timer;
   const Tree& uncut = *whole.tree;
-  if (!whole.inner || !is_within(uncut, params)) return {};
+  if (!whole.inner || !is_within(uncut, params, stop)) return {};
   Tree tree{.box = uncut.box,
             .object_count = uncut.object_count,
             .params = params,
@@ -92,7 +101,8 @@ std::optional<Tree> regrow(const MaximalTree& whole, const BuildParams& params) 
             .cost_intersection =
                 static_cast<float>(cost_model(params, uncut.cost_intersection).intersection),
             .naive = uncut.naive};
-  Regrowth(whole, tree).grow_root();
+  Regrowth(whole, tree, stop).grow_root();
+  if (stop.stop_requested()) return {};
   // A lone root and the naive list are made whatever they take.
   const bool is_limited = tree.max_depth > 0 && !tree.naive;
   if (is_limited && tree.bytes() > params.memory_limit) return {};
@@ -130,9 +140,10 @@ bool is_part(const BuildParams& part, const BuildParams& whole, std::size_t obje
          effective_depth(part, objects) <= effective_depth(whole, objects);
 }
 
-std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params) {
+std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params,
+                        const std::stop_token& stop) {
   try {
-    return regrow(whole, params);
+    return regrow(whole, params, stop);
   } catch (const std::bad_alloc&) {
     return {};
   }

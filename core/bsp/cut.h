@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "core/bsp/build.h"
 #include "core/bsp/inner_objects.h"
@@ -35,8 +36,9 @@ bool same_planes(const BuildParams& a, const BuildParams& b);
 bool is_part(const BuildParams& part, const BuildParams& whole, std::size_t objects);
 
 /// The tree that build_tree would make of the same objects, node for node; nothing where that is
-/// not a part of `whole`, larger than params.memory_limit, or when memory runs out. Its
-/// build_seconds are those of the cut. O(size of the result).
-std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params);
+/// not a part of `whole`, larger than params.memory_limit, when memory runs out, and soon after a
+/// stop is requested. Its build_seconds are those of the cut. O(size of the result).
+std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params,
+                        const std::stop_token& stop = {});
 
 }  // namespace bspview

@@ -181,6 +181,7 @@ class TreeJoiner {
     });
     make_room();
     for_each_task([&](Task& task) { move_in(task); });
+    if (stop_.stop_requested()) return {};
     auto next = tasks_.begin();
     Joiner top(tree_, objects_, stop_, whole_);
     const Below all = join_tasks(top, 0, 0, next);
@@ -210,8 +211,9 @@ class TreeJoiner {
   }
 
   void for_each_task(const auto& work) {
-    parallel_for(static_cast<int>(tasks_.size()),
-                 [&](int i) { work(tasks_[static_cast<std::size_t>(i)]); });
+    parallel_for(static_cast<int>(tasks_.size()), [&](int i) {
+      if (!stop_.stop_requested()) work(tasks_[static_cast<std::size_t>(i)]);
+    });
   }
 
   void make_room() {

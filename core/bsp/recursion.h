@@ -117,6 +117,7 @@ class Recursion {
   void make_leaf(const Objects& objects, Slot slot) const {
     References& references = slot.branch.references;
     const auto first = static_cast<std::uint32_t>(references.size());
+    make_room(job_, references, objects.count());
     objects.append_objects(references);
     const auto count = static_cast<std::uint32_t>(references.size()) - first;
     slot.branch.nodes[slot.node] = Node::make_leaf(first, count);
@@ -132,8 +133,9 @@ class Recursion {
   }
 
   /// Makes the node at `slot` an inner one; the result is the place of its left child.
-  static Slot add_children(const Split& split, Slot slot) {
+  Slot add_children(const Split& split, Slot slot) const {
     Nodes& nodes = slot.branch.nodes;
+    make_room(job_, nodes, 2);
     const auto left = static_cast<std::uint32_t>(nodes.size());
     nodes[slot.node] = Node::make_inner(split.axis, split.position, left);
     nodes.resize(left + 2, Node::make_leaf(0, 0));

@@ -59,11 +59,13 @@ class Walk {
 
 }  // namespace
 
-TreeStats tree_stats(const Tree& tree) {
+TreeStats tree_stats(const Tree& tree, const std::stop_token& stop) {
+  constexpr std::uint64_t nodes_between_looks = 1024;
   const CostModel costs = cost_model(tree.params, tree.cost_intersection);
   TreeStats stats;
   stats.volume = tree.box.empty() ? 0.0 : volume(tree.box);
   Walk(tree, [&](std::uint32_t index, const Aabb& cell, int depth) {
+    if (stats.nodes % nodes_between_looks == 0 && stop.stop_requested()) return false;
     const Node& node = tree.nodes[index];
     const double probability = crossing_probability(cell, tree.box);
     ++stats.nodes;

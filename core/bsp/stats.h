@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "core/bsp/tree.h"
@@ -19,7 +20,8 @@ struct TreeStats {
   std::vector<std::uint64_t> leaves_with_count;  ///< index: objects in the leaf
   bool operator==(const TreeStats&) const = default;
 };
-TreeStats tree_stats(const Tree& tree);
+/// Soon after a stop is requested: of some of the nodes.
+TreeStats tree_stats(const Tree& tree, const std::stop_token& stop = {});
 
 /// Calls visit(node index, cell, depth) for every node, parents first; a node whose visit returns
 /// false is not descended into.

@@ -6,8 +6,12 @@
 
 namespace bspview {
 
-NodeCells::NodeCells(const Tree& tree) : tree_(tree), parents_(tree.nodes.size(), 0) {
+NodeCells::NodeCells(const Tree& tree, const std::stop_token& stop) : tree_(tree) {
+  constexpr std::uint32_t nodes_between_looks = 1u << 16;
+  parents_.resize(tree.nodes.size());
+  if (!parents_.empty()) parents_[0] = 0;
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
+    if (i % nodes_between_looks == 0 && stop.stop_requested()) return;
     const Node& node = tree.nodes[i];
     if (node.is_leaf()) continue;
     parents_[node.left()] = i;

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
+#include "core/base/raw_vector.h"
 #include "core/bsp/tree.h"
 
 namespace bspview {
 
 /// Finds a node's cell from its index in O(depth), after O(nodes) once. The tree must outlive it.
+/// Without use when a stop is requested while it is made.
 class NodeCells {
  public:
-  explicit NodeCells(const Tree& tree);
+  explicit NodeCells(const Tree& tree, const std::stop_token& stop = {});
 
   [[nodiscard]] Aabb cell(std::uint32_t node) const;
   [[nodiscard]] int depth(std::uint32_t node) const;
@@ -19,7 +22,7 @@ class NodeCells {
 
  private:
   const Tree& tree_;
-  std::vector<std::uint32_t> parents_;
+  RawVector<std::uint32_t> parents_;
 };
 
 }  // namespace bspview

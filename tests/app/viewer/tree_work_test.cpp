@@ -123,6 +123,37 @@ TEST(TreeWork, WhatIsBuiltServesAllThatCanBeCutFromIt) {
   EXPECT_FALSE(work.serves(request));
 }
 
+TEST(TreeWork, WhatIsCutServesOtherPartsOfTheSameTree) {
+  const auto scene = open("spd:gears:2");
+  TreeWork work;
+  const TreeRequest whole{scene, {}}, part{scene, {.max_depth = 9}}, other{scene, {.clip = false}};
+  int cuts = 0;
+  const auto publish = [&](const auto& built) {
+    if (built->origin != Origin::cut) return;
+    ++cuts;
+    EXPECT_TRUE(work.serves(whole));
+    EXPECT_FALSE(work.serves(other));
+  };
+  EXPECT_TRUE(work(whole, {}, publish).ok());
+  EXPECT_TRUE(work(part, {}, publish).ok());
+  EXPECT_EQ(cuts, 1);
+  EXPECT_FALSE(work.serves(whole)) << "nothing is under way";
+}
+
+TEST(TreeWork, AStopPublishesNothingAndLeavesWhatOthersAreCutFrom) {
+  Wisher wisher;
+  wisher.want({});
+  std::stop_source stop;
+  stop.request_stop();
+  for (const BuildParams& params : {BuildParams{}, {.max_depth = 9}, {.max_depth = 64}}) {
+    const auto answer =
+        wisher.work({wisher.scene, params}, stop.get_token(), [](const auto&) { ADD_FAILURE(); });
+    ASSERT_FALSE(answer.ok());
+    EXPECT_EQ(answer.error().message, "stopped");
+  }
+  EXPECT_EQ(wisher.want({.max_depth = 9})->origin, Origin::cut);
+}
+
 TEST(TreeWork, WhatChoosesThePlanesOfALargeTreeIsSketchedFirst) {
   const auto scene = open("spd:mount:7");
   TreeWork work;

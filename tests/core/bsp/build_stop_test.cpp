@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <new>
+#include <numeric>
 #include <thread>
 
 #include "core/bsp/branch.h"
@@ -78,6 +79,22 @@ TEST(BuildStop, AStopEndsTheJoiningOfBranches) {
   stop.request_stop();
   EXPECT_THROW(splice(job, whole, 0, part), BuildStopped);
   EXPECT_TRUE(whole.references.empty());
+}
+
+TEST(BuildStop, AStopEndsTheMoveToMoreRoom) {
+  std::stop_source stop;
+  const BuildInput none;
+  const BuildJob job{.input = none, .stop = stop.get_token()};
+  References references;
+  references.resize(100'000);
+  std::iota(references.begin(), references.end(), 0u);
+  const References before = references;
+  make_room(job, references, before.size() + 1);
+  EXPECT_GE(references.capacity(), 2 * before.size() + 1);
+  EXPECT_EQ(references, before);
+  stop.request_stop();
+  EXPECT_THROW(make_room(job, references, references.capacity()), BuildStopped);
+  EXPECT_EQ(references, before);
 }
 
 TEST(BuildStop, AStopFromAnotherThreadLeavesATreeOrTheError) {

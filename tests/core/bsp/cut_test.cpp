@@ -150,6 +150,19 @@ TEST(Cut, HasNoMoreThanTheWholeTree) {
   EXPECT_FALSE(with([](BuildParams& p) { p.empty_bonus = 0.2f; }));
 }
 
+TEST(Cut, AStopLeavesNothing) {
+  const test::BoxSet set = test::random_boxes(500, 3);
+  const MaximalTree whole = whole_tree(set.input(), {.max_depth = 50});
+  std::stop_source stop;
+  const auto is_cut = [&](const BuildParams& params) {
+    return cut(whole, params, stop.get_token()).has_value();
+  };
+  const BuildParams part{.max_depth = 9}, deeper{.max_depth = 60};
+  EXPECT_TRUE(is_cut(part) && is_cut(deeper));
+  stop.request_stop();
+  EXPECT_FALSE(is_cut(part) || is_cut(deeper));
+}
+
 TEST(Cut, KeepsToTheMemoryLimit) {
   const test::BoxSet set = test::random_boxes(500, 4);
   const MaximalTree whole = whole_tree(set.input(), {});

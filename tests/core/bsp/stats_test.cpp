@@ -45,6 +45,13 @@ TEST(Stats, ExpectedCostWeighsNodesByTheirArea) {
   EXPECT_NEAR(tree_stats(small_tree()).expected_cost, expected, 1e-12);
 }
 
+TEST(Stats, AStopEndsTheCount) {
+  std::stop_source stop;
+  EXPECT_EQ(tree_stats(small_tree(), stop.get_token()), tree_stats(small_tree()));
+  stop.request_stop();
+  EXPECT_EQ(tree_stats(small_tree(), stop.get_token()).nodes, 0u);
+}
+
 TEST(Stats, ATreeWithoutObjectsHasNoVolume) {
   const auto tree = build_tree({}, {});
   ASSERT_TRUE(tree.ok());
