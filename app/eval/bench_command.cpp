@@ -4,6 +4,7 @@
 
 #include "app/eval/commands.h"
 #include "app/eval/progress.h"
+#include "app/options/values.h"
 #include "core/base/file.h"
 #include "core/eval/bench/build_run.h"
 #include "core/eval/bench/first_picture.h"
@@ -189,7 +190,7 @@ std::vector<std::string> kind_names() {
 void add_ray_options(CLI::App& command, BenchOptions& options) {
   BenchParams& params = options.params;
   command.add_option("--rays", params.rays, "About so many rays of every kind a scene")
-      ->check(CLI::Range(1, 100000000).description(""))
+      ->transform(whole_number(1, 100000000))
       ->type_name("N")
       ->capture_default_str();
   command
@@ -214,7 +215,7 @@ void add_other_modes(CLI::App& command, BenchOptions& options) {
       "Measure standard scenes in growing sizes, and threads from one to all, instead");
   for (const char* other : {"SCENE", "--segments"}) scale->excludes(command.get_option(other));
   command.add_option("--max-objects", options.max_objects, "With --scale: of the largest scenes")
-      ->check(CLI::Range(1000, static_cast<int>(max_spd_objects)).description(""))
+      ->transform(whole_number(1000, static_cast<std::int64_t>(max_spd_objects)))
       ->needs(scale)
       ->type_name("N")
       ->default_str("1000000");
@@ -241,7 +242,7 @@ void add_build_mode(CLI::App& command, BenchOptions& options) {
   quality->needs(build);
   command
       .add_option("--sizes", options.sizes, "With --build: about so many objects, ascending or not")
-      ->check(CLI::Range(1.0, max_spd_objects).description(""))
+      ->transform(whole_number(1, static_cast<std::int64_t>(max_spd_objects)))
       ->delimiter(',')
       ->needs(build)
       ->type_name("N[,N]")

@@ -149,7 +149,7 @@ void add_error(CLI::App& app, Run& run) {
   threads->description("Threads that are timed; default 1. Building and judging use all cores")
       ->default_str("1");
   command->add_option("--rays", options->rays, "Rays of every kind a scene, all of them judged")
-      ->check(CLI::Range(1, 10000000).description(""))
+      ->transform(whole_number(1, 10000000))
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--repeat", options->repeats, "Time everything N times, interleaved")

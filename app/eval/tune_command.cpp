@@ -54,7 +54,7 @@ void add_tune(CLI::App& app, Run& run) {
   command->get_option("--threads")->description("Threads that build; one is timed");
   BenchParams& bench = options->params.bench;
   command->add_option("--rays", bench.rays, "About so many rays of every kind a scene")
-      ->check(CLI::Range(1, 100000000).description(""))
+      ->transform(whole_number(1, 100000000))
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--repeat", bench.repeats, "Time everything N times, interleaved")

@@ -87,4 +87,16 @@ CLI::Validator finite_number(double least, double most) {
   return CLI::Validator(check, "");
 }
 
+CLI::Validator whole_number(std::int64_t least, std::int64_t most) {
+  const auto write_out = [least, most](std::string& text) {
+    const std::optional<double> value = parse_number<double>(text);
+    const bool in_range = value && *value >= static_cast<double>(least) &&
+                          *value <= static_cast<double>(most) && *value == std::floor(*value);
+    if (!in_range) return fmt::format("'{}' is no whole number from {} to {}", text, least, most);
+    text = fmt::format("{:.0f}", *value);
+    return std::string();
+  };
+  return CLI::Validator(write_out, "");
+}
+
 }  // namespace bspview

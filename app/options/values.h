@@ -28,4 +28,8 @@ CLI::Option* add_switch(CLI::App& app, const std::string& name, std::optional<bo
 /// Accepts finite numbers from `least` to `most`.
 CLI::Validator finite_number(double least, double most);
 
+/// For CLI::Option::transform: accepts whole numbers from `least` to `most`, "1e6", too, and writes
+/// their digits out.
+CLI::Validator whole_number(std::int64_t least, std::int64_t most);
+
 }  // namespace bspview

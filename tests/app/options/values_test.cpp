@@ -43,5 +43,19 @@ TEST(FiniteNumber, IsFiniteAndInRange) {
   }
 }
 
+TEST(WholeNumber, IsWrittenOutInDigits) {
+  CLI::Validator validator = whole_number(1, 20'000'000);
+  for (std::string text : {"1000", "1e3", "0.1e4"}) {
+    EXPECT_EQ(validator(text), "");
+    EXPECT_EQ(text, "1000");
+  }
+  for (std::string text :
+       {"0", "2.5", "1e-3", "2e7x", "20000001", "1e30", "nan", "inf", "", "-1"}) {
+    EXPECT_NE(validator(text), "") << text;
+  }
+  std::string text = "0";
+  EXPECT_EQ(validator(text), "'0' is no whole number from 1 to 20000000");
+}
+
 }  // namespace
 }  // namespace bspview
