@@ -5,133 +5,168 @@
 
 #include "core/eval/bench/scale.h"
 #include "core/eval/bench/summary.h"
+#include "core/eval/error/log_axis.h"
 #include "core/eval/error/plot.h"
 
 namespace bspview {
 namespace {
 
 // Pixels.
-constexpr double width = 760.0, left = 60.0, right = 90.0, top = 62.0;
-constexpr double panel_height = 260.0, panel_gap = 62.0, label_height = 12.0;
+constexpr double width = 760.0, left = 58.0, top = 66.0;
+constexpr double panel_width = 188.0, panel_height = 120.0;
+constexpr double column_width = 242.0, row_height = 168.0;
+constexpr double legend_width = 182.0, legend_height = 20.0;
+constexpr std::size_t legend_columns = 4;
 
-struct Place {
-  double x, y;
+struct Line {
+  std::size_t peer = 0;
+  std::vector<std::pair<double, double>> points;  // objects, ns
 };
 
-/// Lines of one kind of rays: ns over the logarithm of the objects, one a family and peer.
+std::vector<Line> lines_of(const ScaleReport& report, const ScaleFamily& family, BenchKind kind) {
+  std::vector<Line> lines;
+  for (std::size_t peer = 0; peer < report.peers.size(); ++peer) {
+    Line line{peer, {}};
+    for (const SceneTimes& scene : family.sizes) {
+      const KindTimes* const times = find_kind(scene, kind);
+      if (!times) continue;
+      line.points.emplace_back(static_cast<double>(scene.objects.objects),
+                               summarise(times->peers[peer].nanoseconds).median);
+    }
+    if (!line.points.empty()) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// A round distance of about four ticks from 0 to `most`.
+double tick_step(double most) {
+  const double least = most / 5.0;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10.0 * power;
+}
+
+/// A small panel for every standard scene and kind of rays: ns over the logarithm of the objects, a
+/// line a peer.
 class ScaleChart {
  public:
   explicit ScaleChart(const ScaleReport& report) : report_(report) {
+    std::vector<double> objects;
     for (const ScaleFamily& family : report.families) {
       for (const SceneTimes& scene : family.sizes) {
-        const auto objects = static_cast<double>(scene.objects.objects);
-        least_ = std::min(least_, objects);
-        most_ = std::max(most_, objects);
+        objects.push_back(static_cast<double>(scene.objects.objects));
       }
     }
+    if (!objects.empty()) x_ = fit_axis(objects, 0.0, panel_width);
   }
 
   std::string svg() {
-    std::string panels;
-    for (const BenchKind kind : report_.params.bench.kinds) panels += panel(kind);
+    draw_legend();
+    const auto& kinds = report_.params.bench.kinds;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      text_ += fmt::format("<text class=\"panel\" x=\"{:.1f}\" y=\"{:.1f}\">{} rays</text>\n",
+                           column(i), y_, name_of(kinds[i]));
+    }
+    y_ += 26.0;
+    for (const ScaleFamily& family : report_.families) {
+      text_ +=
+          fmt::format("<text class=\"panel\" x=\"16\" y=\"{:.1f}\">{}</text>\n", y_, family.name);
+      for (std::size_t i = 0; i < kinds.size(); ++i) draw(family, kinds[i], column(i));
+      y_ += row_height;
+    }
+    return head() + text_ + "</svg>\n";
+  }
+
+ private:
+  static double column(std::size_t i) { return left + column_width * static_cast<double>(i); }
+
+  std::string head() const {
     return fmt::format(
                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1:.0f}\" "
                "width=\"{0}\" height=\"{1:.0f}\">\n<style>\n"
                "svg{{font:12px system-ui,\"DejaVu Sans\",sans-serif}}.page{{fill:#fff}}\n"
                ".title{{font-size:16px;font-weight:600}}.panel{{font-weight:600}}\n"
                "text{{fill:#1c1c1e}}.unit{{fill:#6b6b70}}.grid{{stroke:#e4e4e8}}\n"
-               ".line{{fill:none;stroke-width:2}}.own{{stroke:#0068a8}}.rival{{stroke:#c44e00}}\n"
+               ".power{{font-size:9px}}.line{{fill:none;stroke-width:2}}\n"
+               ".own0{{stroke:#0068a8}}.own1{{stroke:#00876c}}.own2{{stroke:#7a4fb5}}\n"
+               ".rival0{{stroke:#c44e00}}.rival1{{stroke:#a3195b}}.rival2{{stroke:#7d6b00}}\n"
+               ".own1,.rival1{{stroke-dasharray:7 3}}.own2,.rival2{{stroke-dasharray:2 3}}\n"
                "@media (prefers-color-scheme:dark){{.page{{fill:#1c1c1e}}\n"
                "text{{fill:#f2f2f4}}.unit{{fill:#a0a0a6}}.grid{{stroke:#34343a}}\n"
-               ".own{{stroke:#4da3dd}}.rival{{stroke:#e8803c}}}}\n</style>\n"
-               "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n",
+               ".own0{{stroke:#4da3dd}}.own1{{stroke:#3fbf9f}}.own2{{stroke:#b08fe0}}\n"
+               ".rival0{{stroke:#e8803c}}.rival1{{stroke:#e26a9f}}.rival2{{stroke:#c9b23a}}}}\n"
+               "</style>\n<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n",
                width, y_) +
            fmt::format(
                "<text class=\"title\" x=\"16\" y=\"26\">Time of a ray over the number of objects"
-               "</text>\n<text class=\"unit\" x=\"16\" y=\"46\">ns; blue: bspview, orange: others; "
-               "one thread, {}</text>\n",
-               escape_markup(report_.machine.cpu)) +
-           panels + "</svg>\n";
+               "</text>\n<text class=\"unit\" x=\"16\" y=\"46\">ns; one thread, {}</text>\n",
+               escape_markup(report_.machine.cpu));
   }
 
- private:
-  std::string panel(BenchKind kind) {
+  void draw_legend() {
+    for (std::size_t peer = 0; peer < report_.peers.size(); ++peer) {
+      const double x = 16.0 + legend_width * static_cast<double>(peer % legend_columns);
+      const double y = y_ + legend_height * static_cast<double>(peer / legend_columns);
+      text_ += fmt::format(
+          "<path class=\"line {}\" d=\"M{:.1f} {:.1f}h28\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}"
+          "</text>\n",
+          style_of(peer), x, y, x + 36.0, y + 4.0, escape_markup(report_.peers[peer].name));
+    }
+    const std::size_t rows = (report_.peers.size() + legend_columns - 1) / legend_columns;
+    y_ += legend_height * static_cast<double>(rows) + 14.0;
+  }
+
+  /// Ours and foreign ones have three styles each.
+  std::string style_of(std::size_t peer) const {
+    const bool foreign = report_.peers[peer].foreign;
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < peer; ++i) before += report_.peers[i].foreign == foreign ? 1 : 0;
+    return fmt::format("{}{}", foreign ? "rival" : "own", before % 3);
+  }
+
+  void draw(const ScaleFamily& family, BenchKind kind, double x) {
+    const std::vector<Line> lines = lines_of(report_, family, kind);
     double slowest = 1.0;
-    for_each_line(kind, [&](const std::string&, std::size_t, const std::vector<Place>& line) {
-      for (const Place& point : line) slowest = std::max(slowest, point.y);
-    });
-    const double base = y_ + panel_height;
-    const auto place = [&](const Place& point) {
-      const double share = std::log(point.x / least_) / std::log(std::max(2.0, most_ / least_));
-      return Place{left + (width - left - right) * share,
-                   base - (panel_height - 24.0) * point.y / slowest};
-    };
-    std::string text = fmt::format("<text class=\"panel\" x=\"16\" y=\"{:.1f}\">{} rays</text>\n",
-                                   y_, name_of(kind));
-    text += axes(place, slowest, base);
-    std::vector<double> labels;
-    for_each_line(
-        kind, [&](const std::string& name, std::size_t peer, const std::vector<Place>& line) {
-          std::string path;
-          for (const Place& point : line) {
-            const Place at = place(point);
-            path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at.x, at.y);
-          }
-          text += fmt::format("<path class=\"line {}\" d=\"{}\"><title>{}, {}</title></path>\n",
-                              report_.peers[peer].foreign ? "rival" : "own", path, name,
-                              escape_markup(report_.peers[peer].name));
-          const Place end = place(line.back());
-          const bool is_free = std::ranges::none_of(
-              labels, [&](double y) { return std::abs(y - end.y) < label_height; });
-          if (!is_free) return;
-          labels.push_back(end.y);
-          text += fmt::format("<text class=\"unit\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-                              end.x + 6.0, end.y + 4.0, name);
-        });
-    y_ = base + panel_gap;
-    return text;
-  }
-
-  template <class PlaceOf>
-  std::string axes(const PlaceOf& place, double slowest, double base) const {
-    std::string text;
-    const double step = std::pow(10.0, std::floor(std::log10(slowest)));
-    for (double ns = 0.0; ns <= slowest; ns += slowest < 3.0 * step ? 0.5 * step : step) {
-      const double y = place({least_, ns}).y;
-      text +=
-          fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", left, y, width - right);
-      text += fmt::format(
-          "<text class=\"unit\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>\n",
-          left - 8.0, y + 4.0, ns);
+    for (const Line& line : lines) {
+      for (const auto& [objects, ns] : line.points) slowest = std::max(slowest, ns);
     }
-    for (double objects = 1e3; objects <= most_; objects *= 10.0) {
-      text += fmt::format(
-          "<text class=\"unit\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
-          place({objects, 0.0}).x, base + 18.0, static_cast<long>(objects));
-    }
-    return text;
-  }
-
-  /// Calls visit(family, peer, points (objects, ns)) for every line.
-  template <class Visit>
-  void for_each_line(BenchKind kind, const Visit& visit) const {
-    for (const ScaleFamily& family : report_.families) {
-      for (std::size_t i = 0; i < report_.peers.size(); ++i) {
-        std::vector<Place> line;
-        for (const SceneTimes& scene : family.sizes) {
-          const KindTimes* const times = find_kind(scene, kind);
-          if (!times) continue;
-          line.push_back({static_cast<double>(scene.objects.objects),
-                          summarise(times->peers[i].nanoseconds).median});
-        }
-        if (!line.empty()) visit(family.name, i, line);
+    const double scale = (panel_height - 16.0) / slowest, base = y_ + panel_height;
+    draw_axes(x, slowest);
+    for (const Line& line : lines) {
+      std::string path;
+      for (const auto& [objects, ns] : line.points) {
+        path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x + x_.place(objects),
+                            base - scale * ns);
       }
+      text_ += fmt::format("<path class=\"line {}\" d=\"{}\"><title>{}, {}</title></path>\n",
+                           style_of(line.peer), path, family.name,
+                           escape_markup(report_.peers[line.peer].name));
+    }
+  }
+
+  void draw_axes(double x, double slowest) {
+    const double scale = (panel_height - 16.0) / slowest, base = y_ + panel_height;
+    const double step = tick_step(slowest);
+    for (double ns = 0.0; ns <= slowest; ns += step) {
+      const double y = base - scale * ns;
+      text_ += fmt::format(
+          "<path class=\"grid\" d=\"M{:.1f} {:.1f}h{:.1f}\"/><text class=\"unit\" x=\"{:.1f}\" "
+          "y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>\n",
+          x, y, panel_width, x - 6.0, y + 4.0, ns);
+    }
+    for (const Tick& tick : x_.ticks()) {
+      text_ += fmt::format(
+          "<text class=\"unit\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
+          x + x_.place(tick.value), base + 18.0, tick.text);
     }
   }
 
   const ScaleReport& report_;
-  double least_ = 1e3, most_ = 1e3;  // objects
-  double y_ = top + 16.0;
+  LogAxis x_;
+  double y_ = top;
+  std::string text_;
 };
 
 }  // namespace
