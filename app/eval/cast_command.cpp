@@ -5,6 +5,7 @@
 
 #include "app/eval/commands.h"
 #include "app/eval/progress.h"
+#include "core/base/counted.h"
 #include "core/base/file.h"
 #include "core/base/timer.h"
 #include "core/eval/cast.h"
@@ -64,8 +65,8 @@ void print_rate(std::size_t rays, std::span<const double> seconds, const std::st
   std::vector<double> rates;  // Mrays/s
   for (const double s : seconds) rates.push_back(static_cast<double>(rays) / 1e6 / s);
   const Measured rate = summarise(std::move(rates));
-  fmt::print(stderr, "median {:.3f} Mrays/s of {} repeat{}, spread {:.3f}, {}\n", rate.median,
-             rate.repeats, rate.repeats == 1 ? "" : "s", rate.spread, kernel);
+  fmt::print(stderr, "median {:.3f} Mrays/s of {}, spread {:.3f}, {}\n", rate.median,
+             counted(rate.repeats, "repeat"), rate.spread, kernel);
 }
 
 /// A scene and what its rays go through.

@@ -5,6 +5,8 @@
 
 #include "app/eval/commands.h"
 #include "app/eval/progress.h"
+#include "app/options/values.h"
+#include "core/base/counted.h"
 #include "core/eval/stress/stress.h"
 #include "core/scene/load.h"
 #include "core/scene/spd.h"
@@ -85,7 +87,8 @@ Result<void> run_stress(const StressOptions& options) {
   std::int64_t failures = 0;
   for (const stress::Row& row : rows) failures += row.failures;
   if (failures == 0) return {};
-  return Error{fmt::format("{} of {} trials failed", failures, trials)};
+  return Error{fmt::format("{} of {} failed", failures,
+                           counted(static_cast<std::uint64_t>(trials), "trial"))};
 }
 
 /// Names that --rays and --check take.
@@ -126,7 +129,7 @@ void add_numbers(CLI::App& command, stress::Plan& plan) {
           "--trials", plan.trials,
           "Trials of each check of --check; without it, of those checks that have 1,000,000 "
           "in a full run: the others make fewer in proportion, at least 1")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40).description(""))
+      ->transform(whole_number(1, std::int64_t{1} << 40))
       ->type_name("N");
   command.add_option("--seed", plan.seed, "Seed of everything random")
       ->type_name("N")

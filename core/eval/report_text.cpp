@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/counted.h"
 #include "core/eval/report.h"
 #include "core/eval/symbols.h"
 
@@ -13,14 +14,6 @@ std::string number(const std::optional<double>& value) {
   if (!value || !std::isfinite(*value)) return "-";
   if (std::abs(*value) >= 1000.0) return fmt::format("{:.0f}", *value);
   return fmt::format("{:.4g}", *value);
-}
-
-/// "2 leaves", "1 leaf".
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-std::string counted(std::uint64_t count, const std::string& one) {
-  return counted(count, one, one + "s");
 }
 
 std::string kinds(const ObjectCounts& count) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/counted.h"
+
 namespace bspview {
 namespace {
 
@@ -90,12 +92,9 @@ std::string ray_summary(const PathRay& ray) {
   const auto& steps = ray.log.steps;
   const auto leaves = std::count_if(
       steps.begin(), steps.end(), [](const RayStep& step) { return step.kind == StepKind::leaf; });
-  const auto counted = [](auto count, std::string_view one, std::string_view many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
-  };
-  return fmt::format("{}, {}, {}", counted(steps.size(), "step", "steps"),
-                     counted(leaves, "leaf", "leaves"),
-                     counted(ray.log.tests.size(), "test", "tests"));
+  return fmt::format("{}, {}, {}", counted(steps.size(), "step"),
+                     counted(static_cast<std::uint64_t>(leaves), "leaf", "leaves"),
+                     counted(ray.log.tests.size(), "test"));
 }
 
 }  // namespace bspview

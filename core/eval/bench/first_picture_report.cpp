@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/counted.h"
 #include "core/eval/bench/first_picture.h"
 #include "core/eval/lambda.h"
 #include "core/eval/machine_json.h"
@@ -36,9 +37,10 @@ std::string to_text(const FirstPictureReport& report) {
     text += fmt::format("  {:<12} {}\n", peer.name, peer.what);
   }
   for (const FirstPictureTimes& scene : report.scenes) {
-    text += fmt::format("\n{}, {} objects, {} repeats\n  {:<12} {:>9} {:>9} {:>9} {:>9} {:>7}\n",
-                        scene.name, scene.objects, scene.peers.front().size(), "", "tree",
-                        "picture", "all", "+-", "ratio");
+    text +=
+        fmt::format("\n{}, {}, {}\n  {:<12} {:>9} {:>9} {:>9} {:>9} {:>7}\n", scene.name,
+                    counted(scene.objects, "object"), counted(scene.peers.front().size(), "repeat"),
+                    "", "tree", "picture", "all", "+-", "ratio");
     for (std::size_t peer = 0; peer < report.peers.size(); ++peer) {
       const auto [tree, picture, all] = summary_of(scene.peers[peer]);
       text += fmt::format("  {:<12} {:>9.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>7.2f}\n",

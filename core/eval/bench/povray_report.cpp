@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/counted.h"
 #include "core/eval/bench/povray.h"
 #include "core/eval/lambda.h"
 #include "core/eval/machine_json.h"
@@ -35,11 +36,12 @@ Json seconds_json(const std::vector<double>& seconds) {
 
 std::string to_text(const PovrayReport& report) {
   std::string text = fmt::format(
-      "pictures of {0} x {0} pixels, one ray a pixel, {1} levels of rays; {2} interleaved repeats, "
+      "pictures of {0} x {0} pixels, one ray a pixel, {1} levels of rays; {2}, "
       "one thread, its processor seconds of tracing\nratio: POV-Ray's better bounding over ours\n\n"
       "{3:<14} {4:>9} {5:>9} {6:>9} {7:>9} {8:>7}\n",
-      report.params.side, report.params.max_ray_depth, report.params.repeats, "", "objects",
-      "bspview", "POV boxes", "POV BSP", "ratio");
+      report.params.side, report.params.max_ray_depth,
+      counted(report.params.repeats, "interleaved repeat"), "", "objects", "bspview", "POV boxes",
+      "POV BSP", "ratio");
   for (const PictureTimes& times : report.pictures) {
     text += fmt::format("{:<14} {:>9} {:>9.3f} {:>9.3f} {:>9.3f} {:>7.2f}\n", times.name,
                         times.objects, summarise(times.own).median, summarise(times.boxes).median,

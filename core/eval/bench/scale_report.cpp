@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/counted.h"
 #include "core/eval/bench/scale.h"
 #include "core/eval/bench/summary.h"
 #include "core/eval/machine_json.h"
@@ -117,9 +118,9 @@ Json family_json(const ScaleReport& report, const ScaleFamily& family) {
 
 std::string to_text(const ScaleReport& report) {
   std::string text = fmt::format(
-      "about {} rays of every kind a scene, {} interleaved repeats; ns: one thread, its processor "
+      "about {} rays of every kind a scene, {}; ns: one thread, its processor "
       "time\na doubling: ns more for twice the objects, by least squares\n",
-      report.params.bench.rays, report.params.bench.repeats);
+      report.params.bench.rays, counted(report.params.bench.repeats, "interleaved repeat"));
   for (const ScaleFamily& family : report.families) {
     if (!family.sizes.empty()) text += family_table(report, family);
   }

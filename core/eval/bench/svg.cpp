@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/eval/bench/report.h"
 #include "core/eval/bench/summary.h"
 #include "core/eval/error/plot.h"
@@ -57,8 +58,9 @@ class BarChart {
          {std::pair(&report.triangles, "triangles"), std::pair(&report.shapes, "round shapes")}) {
       if (scenes->empty()) continue;
       for (const BenchKind kind : report.params.kinds) {
-        add({fmt::format("{} rays, {} scenes of {}", name_of(kind), scenes->size(), where), *scenes,
-             kind});
+        add({fmt::format("{} rays, {} of {}", name_of(kind), counted(scenes->size(), "scene"),
+                         where),
+             *scenes, kind});
       }
     }
   }

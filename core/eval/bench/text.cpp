@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/eval/bench/report.h"
 #include "core/eval/bench/summary.h"
 
@@ -15,8 +16,9 @@ constexpr const char* no_embree =
 std::string scene_title(const SceneTimes& scene) {
   std::string title = fmt::format("\n{}, {} ", scene.name, scene.objects.objects);
   if (scene.segments == 0) {
-    return title + fmt::format("objects as they are, {} spheres, {} cones\n", scene.objects.spheres,
-                               scene.objects.cones);
+    return title + fmt::format("objects as they are, {}, {}\n",
+                               counted(scene.objects.spheres, "sphere"),
+                               counted(scene.objects.cones, "cone"));
   }
   return title + fmt::format("triangles (round shapes in {} segments)\n", scene.segments);
 }
@@ -56,8 +58,8 @@ std::string scene_table(const BenchReport& report, const SceneTimes& scene) {
 std::string mean_table(const BenchReport& report, std::span<const SceneTimes> scenes,
                        std::string_view title) {
   if (scenes.empty()) return "";
-  std::string text =
-      fmt::format("\nGeometric mean of the ratios over {} {}\n{:<22}", scenes.size(), title, "");
+  std::string text = fmt::format("\nGeometric mean of the ratios over {} {}\n{:<22}",
+                                 counted(scenes.size(), "scene"), title, "");
   for (const BenchKind kind : report.params.kinds) text += fmt::format(" {:>10}", name_of(kind));
   text += "\n";
   for (std::size_t i = 0; i < report.peers.size(); ++i) {
@@ -84,11 +86,11 @@ std::string goal_table(const BenchReport& report) {
 std::string introduction(const BenchReport& report) {
   const std::size_t base = baseline(report);
   return fmt::format(
-      "about {} rays of every kind a scene, recorded once; {} interleaved repeats, one thread, its "
+      "about {} rays of every kind a scene, recorded once; {}, one thread, its "
       "processor time\nratio: speed over that of {}, median of the repeats +- half the distance of "
       "the quartiles\nwrong: rays with another answer than {}\n{}",
-      report.params.rays, report.params.repeats, report.peers[base].name, report.peers.front().name,
-      base == 0 ? no_embree : "");
+      report.params.rays, counted(report.params.repeats, "interleaved repeat"),
+      report.peers[base].name, report.peers.front().name, base == 0 ? no_embree : "");
 }
 
 }  // namespace
@@ -97,8 +99,8 @@ std::string to_text(const BenchReport& report) {
   std::string text = introduction(report);
   for (const SceneTimes& scene : report.triangles) text += scene_table(report, scene);
   for (const SceneTimes& scene : report.shapes) text += scene_table(report, scene);
-  text += mean_table(report, report.triangles, "scenes of triangles");
-  text += mean_table(report, report.shapes, "scenes of spheres and cones as they are");
+  text += mean_table(report, report.triangles, "of triangles");
+  text += mean_table(report, report.shapes, "of spheres and cones as they are");
   return text + goal_table(report) + "\n" + verdict(report) + "\n";
 }
 

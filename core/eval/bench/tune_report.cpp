@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/eval/bench/tune.h"
 #include "core/eval/machine_json.h"
 
@@ -48,10 +49,10 @@ std::string row(const TunedScene& scene, std::size_t trial) {
 }
 
 std::string table(const TunedScene& scene) {
-  std::string text = fmt::format("\n{}, {} objects; depth {}, C_I {:.2f}\n  {:<19} {:>6} {:>6}",
-                                 scene.trees.times.name, scene.trees.times.objects.objects,
-                                 scene.trees.trees[0].max_depth,
-                                 scene.trees.trees[0].cost_intersection, "", "gain", "+-");
+  std::string text = fmt::format(
+      "\n{}, {}; depth {}, C_I {:.2f}\n  {:<19} {:>6} {:>6}", scene.trees.times.name,
+      counted(scene.trees.times.objects.objects, "object"), scene.trees.trees[0].max_depth,
+      scene.trees.trees[0].cost_intersection, "", "gain", "+-");
   for (const KindTimes& kind : scene.trees.times.kinds) {
     text += fmt::format(" {:>9}", name_of(kind.kind));
   }
@@ -108,11 +109,11 @@ Json trial_json(const TunedScene& scene, std::size_t trial) {
 
 std::string to_text(const TuneReport& report) {
   std::string text = fmt::format(
-      "about {} rays of every kind a scene, recorded once; {} interleaved repeats, one thread\n"
+      "about {} rays of every kind a scene, recorded once; {}, one thread\n"
       "gain: time through the tree that was given over that through this one, geometric mean over "
       "the kinds of rays, median\n      of the repeats +- half the distance of the quartiles; "
       "Mrays/s by kind; T_CB in seconds\n",
-      report.params.bench.rays, report.params.bench.repeats);
+      report.params.bench.rays, counted(report.params.bench.repeats, "interleaved repeat"));
   for (const TunedScene& scene : report.scenes) text += table(scene);
   return text + summary(report);
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/base/counted.h"
+
 namespace bspview {
 namespace {
 
@@ -122,10 +124,10 @@ std::vector<ImageTable> image_tables(const SceneImageError& image) {
 
 std::string how_measured(const ImageErrorParams& params) {
   return fmt::format(
-      "{} x {} pixels, against {} samples a pixel; median of {} interleaved repeats +- half the "
+      "{} x {} pixels, against {} samples a pixel; median of {} +- half the "
       "distance of the quartiles, {}",
-      params.render.width, params.render.height, params.reference_samples, params.repeats,
-      clock_text(params.timing_threads));
+      params.render.width, params.render.height, params.reference_samples,
+      counted(params.repeats, "interleaved repeat"), clock_text(params.timing_threads));
 }
 
 }  // namespace bspview

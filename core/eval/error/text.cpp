@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/counted.h"
 #include "core/eval/error/image_tables.h"
 #include "core/eval/error/report.h"
 
@@ -119,10 +120,11 @@ std::string introduction(const ErrorReport& report) {
     factors += fmt::format("{}{}", factors.empty() ? "" : ", ", name_of(factor));
   }
   return fmt::format(
-      "{} configurations, {} scenes, {} recorded rays, all judged; {} interleaved repeats, {}\n"
+      "{}, {}, {}, all judged; {}, {}\n"
       "strongest factors, measured in every combination: {}\n"
       "per million; \"< x\": none found, so fewer than x with 95 % certainty (3 / N)\n",
-      report.configs.size(), report.scenes.size(), rays, report.params.repeats,
+      counted(report.configs.size(), "configuration"), counted(report.scenes.size(), "scene"),
+      counted(rays, "recorded ray"), counted(report.params.repeats, "interleaved repeat"),
       clock_text(report.params.timing_threads), factors);
 }
 
