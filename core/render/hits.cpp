@@ -43,18 +43,29 @@ void for_each_group(const World& world, std::span<const Ray> rays, SideRule rule
   }
 }
 
-/// found(i, hit) takes the answers.
-template <bool any, class Found>
-void trace_all(const World& world, std::span<const Ray> rays, SideRule rule, const Found& found) {
+void set(Hit& to, const Hit& hit) {
+  to = hit;
+}
+void set(std::uint32_t& to, const Hit& hit) {
+  to = hit.object;
+}
+
+/// Answer: Hit, or the number of an object.
+template <bool any, class Answer>
+void trace_all(const World& world, std::span<const Ray> rays, SideRule rule,
+               std::span<Answer> answers) {
   if (world.accelerator == nullptr) {
-    for (std::size_t i = 0; i < rays.size(); ++i) found(i, find_alone<any>(world, rays[i], rule));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      set(answers[i], find_alone<any>(world, rays[i], rule));
+    }
     return;
   }
   for_each_group(world, rays, rule, [&](PacketGroup& group, std::size_t first, auto some) {
     group.trace<any>(some);
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      found(first + i, group.has(i) ? group.best(i) : find_alone<any>(world, some[i], rule));
-    }
+    const std::span<Answer> here = answers.subspan(first, some.size());
+    group.store(here);
+    group.for_each_alone(
+        [&](std::size_t i) { set(here[i], find_alone<any>(world, some[i], rule)); });
   });
 }
 
@@ -107,22 +118,19 @@ std::uint64_t walk_together_here(const World& world, std::span<const Ray> rays, 
   std::uint64_t sum = 0;
   for_each_group(world, rays, SideRule::two_sided, [&](PacketGroup& group, std::size_t, auto some) {
     sum += group.walk(some, walks);
-    for (std::size_t i = 0; walks && i < some.size(); ++i) {
-      if (!group.has(i)) sum += walk_alone(world, some[i]);
-    }
+    if (walks) group.for_each_alone([&](std::size_t i) { sum += walk_alone(world, some[i]); });
   });
   return sum;
 }
 
 void closest_hits_here(const World& world, std::span<const Ray> rays, SideRule rule,
                        std::span<Hit> hits) {
-  trace_all<false>(world, rays, rule, [&](std::size_t i, const Hit& hit) { hits[i] = hit; });
+  trace_all<false>(world, rays, rule, hits);
 }
 
 void any_hits_here(const World& world, std::span<const Ray> rays, SideRule rule,
                    std::span<std::uint32_t> objects) {
-  trace_all<true>(world, rays, rule,
-                  [&](std::size_t i, const Hit& hit) { objects[i] = hit.object; });
+  trace_all<true>(world, rays, rule, objects);
 }
 
 int width_here() {

@@ -8,6 +8,7 @@
 #define BSPVIEW_PACKET
 #endif
 
+#include <cstddef>
 #include <optional>
 
 #include "core/bsp/packet_walk-inl.h"
@@ -65,7 +66,23 @@ class Packet {
     }
   }
 
-  Hit best(int lane) const { return {best_t_[lane], best_object_[lane], no_leaf}; }
+  /// What all lanes hit, in a row: the nearest, or any object.
+  HWY_INLINE void store(Hit* hits) const {
+    constexpr hn::RepartitionToWide<hn::RebindToUnsigned<Floats>> words;
+    constexpr hn::Rebind<std::uint32_t, Doubles> ids;
+    static_assert(sizeof(Hit) == 2 * sizeof(std::uint64_t) && offsetof(Hit, object) == 8);
+    auto* to = reinterpret_cast<std::uint64_t*>(hits);
+    for (int first = 0; first < lane_count(); first += static_cast<int>(hn::Lanes(doubles))) {
+      const auto t = hn::BitCast(words, hn::Load(doubles, best_t_ + first));
+      const auto object = hn::PromoteTo(words, hn::Load(ids, best_object_ + first));
+      const auto leaf = hn::Set(words, std::uint64_t{no_leaf} << 32);
+      hn::StoreInterleaved2(t, hn::Or(object, leaf), words, to + 2 * first);
+    }
+  }
+  HWY_INLINE void store(std::uint32_t* objects) const {
+    constexpr hn::RebindToUnsigned<Floats> ids;
+    hn::StoreU(hn::Load(ids, best_object_), ids, objects);
+  }
 
  private:
   void set_class(const RayClass& rays) {

@@ -56,23 +56,38 @@ class PacketGroup {
     return sum;
   }
 
-  /// Whether a ray was traced: others are faster alone, or no rays that packets can hold.
-  bool has(std::size_t ray) const { return (traced_[packet_of(ray)] >> lane_of(ray) & 1) != 0; }
-  Hit best(std::size_t ray) const { return packets_[packet_of(ray)].best(lane_of(ray)); }
+  /// What the rays hit, see Packet::store; nothing to rely on for those left over.
+  template <class Answer>
+  void store(std::span<Answer> answers) const {
+    const auto width = static_cast<std::size_t>(lane_count());
+    const Packet* packet = packets_;
+    for (; answers.size() >= width; answers = answers.subspan(width)) {
+      (packet++)->store(answers.data());
+    }
+    if (answers.empty()) return;
+    Answer all[RayLanes::most];
+    packet->store(all);
+    std::copy_n(all, answers.size(), answers.data());
+  }
+
+  /// Calls work(ray) for those left over: they are faster alone, or no rays that packets can hold.
+  template <class Work>
+  void for_each_alone(const Work& work) const {
+    std::size_t first = 0;
+    for (const unsigned lanes : alone_) {
+      for (unsigned rest = lanes; rest != 0;)
+        work(first + static_cast<std::size_t>(take_lane(rest)));
+      first += static_cast<std::size_t>(lane_count());
+    }
+  }
 
  private:
-  static std::size_t packet_of(std::size_t ray) {
-    return ray / static_cast<std::size_t>(lane_count());
-  }
-  static int lane_of(std::size_t ray) {
-    return static_cast<int>(ray % static_cast<std::size_t>(lane_count()));
-  }
-
   /// Calls go(lanes) for rays that go together: packet by packet for those of several classes, last
   /// for all whose packets run the same way.
   template <class Go>
   void for_each_way(std::span<const Ray> rays, const Go& go) {
     PacketLanes together;
+    std::ranges::fill(alone_, 0u);
     const auto width = static_cast<std::size_t>(lane_count());
     for (int i = 0; !rays.empty(); ++i) {
       const auto some = rays.first(std::min(width, rays.size()));
@@ -84,7 +99,7 @@ class PacketGroup {
           go(PacketLanes::only(i, one.lanes));
         }
       });
-      traced_[i] = lanes & ~alone;
+      alone_[i] = ((1u << some.size()) - 1u) & (alone | ~lanes);
       rays = rays.subspan(some.size());
     }
     if (packets_of(together) != 0) go(together);
@@ -98,7 +113,7 @@ class PacketGroup {
   const World& world_;
   Packet packets_[PacketWalks::most];
   PacketWalks walks_;
-  unsigned traced_[PacketWalks::most];
+  unsigned alone_[PacketWalks::most];
 };
 
 }  // namespace bspview::HWY_NAMESPACE

@@ -97,9 +97,10 @@ TEST(BuildGolden, ClippedTreesTestFewerObjectsARay) {
     const auto scene = make_spd(name);
     ASSERT_TRUE(scene.ok());
     // Bins tell planes apart only in cells that are large beside the objects: small leaves.
-    for (BuildParams params : {BuildParams{.builder = Builder::sah},
-                               BuildParams{.builder = Builder::sah, .cost_intersection = 1.0f},
-                               BuildParams{.builder = Builder::sah_binned, .cost_intersection = 1.0f}}) {
+    for (BuildParams params :
+         {BuildParams{.builder = Builder::sah},
+          BuildParams{.builder = Builder::sah, .cost_intersection = 1.0f},
+          BuildParams{.builder = Builder::sah_binned, .cost_intersection = 1.0f}}) {
       const auto tests = [&](bool clip) {
         params.clip = clip;
         return count_tests(*scene, params);
