@@ -25,6 +25,10 @@ struct alignas(64) WideNode {
       bounds[2 * axis + 1][slot] = box.hi[axis];
     }
   }
+  Aabb box(int slot) const {
+    return {{bounds[0][slot], bounds[2][slot], bounds[4][slot]},
+            {bounds[1][slot], bounds[3][slot], bounds[5][slot]}};
+  }
   static WideNode without_cells() {
     WideNode node{};
     for (int slot = 0; slot < width; ++slot) node.set_bounds(slot, {});

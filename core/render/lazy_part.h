@@ -13,6 +13,8 @@ class LazyTree;
 /// A leaf that was put off, and what rays make of it. Where there are not many objects, it stays a
 /// leaf, with boxes around them, until rays have lost there about what splitting it costs: never
 /// more than twice the time of whoever knew beforehand how many rays come, and most leaves see few.
+/// What a ray loses is known from the areas of the boxes: nothing where neighbours in the scene's
+/// order are neighbours in space, as in most scenes.
 class LazyPart {
  public:
   LazyPart(const LazyTree& whole, DeferredLeaf leaf);
