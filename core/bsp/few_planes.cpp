@@ -89,7 +89,9 @@ HWY_INLINE void add_up_sides(std::span<const FewBox> boxes, Planes& planes, std:
     const FloatV position = hn::Load(floats, planes.position + plane);
     FloatV left = hn::Zero(floats), right = hn::Zero(floats);
     for (const FewBox& box : boxes) {
-      const FloatV lo = hn::LoadDup128(floats, box.lo), hi = hn::LoadDup128(floats, box.hi);
+      // One lane alone stands for one axis.
+      const FloatV lo = hn::LoadDup128(floats, box.lo + plane % axis_lanes);
+      const FloatV hi = hn::LoadDup128(floats, box.hi + plane % axis_lanes);
       const FloatV tests = hn::Set(floats, box.tests());
       left = hn::Add(left, hn::IfThenElseZero(hn::Le(lo, position), tests));
       right = hn::Add(right, hn::IfThenElseZero(hn::Ge(hi, position), tests));

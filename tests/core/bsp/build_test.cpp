@@ -7,6 +7,7 @@
 #include "core/scene/spd.h"
 #include "tests/support/box_sets.h"
 #include "tests/support/builds.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/scenes.h"
 
 namespace bspview {
@@ -27,6 +28,21 @@ TEST(Build, NamesFollowTheEnumerators) {
   EXPECT_EQ(name_of(Builder::sah), "sah");
   EXPECT_EQ(name_of(Builder::sah_binned), "sah-binned");
   EXPECT_EQ(builder_names().size(), 7u);
+}
+
+TEST(Build, TreesAreTheSameByEveryInstructionSet) {
+  const BoxSet set = test::random_boxes(500, 7);
+  for (const BuildParams& params : every_way({.cost_intersection = 1.0f})) {
+    const auto tree = build_tree(set.input(), params);
+    ASSERT_TRUE(tree.ok());
+    for (const std::int64_t instructions : test::instruction_sets()) {
+      SCOPED_TRACE(describe(params) + ", " + hwy::TargetName(instructions));
+      const test::OneInstructionSet only(instructions);
+      const auto same = build_tree(set.input(), params);
+      ASSERT_TRUE(same.ok());
+      expect_same(*same, *tree);
+    }
+  }
 }
 
 TEST(Build, NoObjectsMakeOneEmptyLeaf) {

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <hwy/targets.h>
-
 #include <cmath>
 
 #include "core/render/accelerator.h"
 #include "core/render/scene_tree.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
 
@@ -16,29 +15,11 @@ namespace {
 
 using test::Random;
 
-/// The tests run with each of the instruction sets that the processor has.
 class HitsTest : public testing::TestWithParam<std::int64_t> {
- protected:
-  void SetUp() override { use(GetParam()); }
-  void TearDown() override { use(0); }
-
- private:
-  /// 0: every set.
-  static void use(std::int64_t set) {
-    hwy::SetSupportedTargetsForTest(set);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
+  test::OneInstructionSet set_{GetParam()};
 };
 
-std::vector<std::int64_t> instruction_sets() {
-  std::vector<std::int64_t> sets;
-  for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
-    sets.push_back(rest & -rest);
-  }
-  return sets;
-}
-
-INSTANTIATE_TEST_SUITE_P(EverySet, HitsTest, testing::ValuesIn(instruction_sets()),
+INSTANTIATE_TEST_SUITE_P(EverySet, HitsTest, testing::ValuesIn(test::instruction_sets()),
                          [](const auto& set) { return hwy::TargetName(set.param); });
 
 /// Every hit and every occlusion as the binary tree finds it.
