@@ -12,9 +12,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// See Stage::Patience. Builds of a frame's length are live; coarse pixels and lines are soon there
-// and keep a moving camera alive.
-constexpr auto build_patience = 33ms;
+// See Stage::Patience. Trees of a hundred thousand objects, or their sketches, follow a slider that
+// never rests; coarse pixels and lines are soon there and keep a moving camera alive.
+constexpr auto build_patience = 100ms;
 constexpr auto drawing_patience = 300ms;
 constexpr auto rest_after = 150ms;     // without motion of the camera
 constexpr int frames_to_focus = 2;     // until a text field that was asked to has the keyboard
