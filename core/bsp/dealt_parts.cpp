@@ -1,5 +1,7 @@
 #include "core/bsp/dealt_parts.h"
 
+#include <utility>
+
 #include "core/bsp/clip_part.h"
 
 namespace bspview {

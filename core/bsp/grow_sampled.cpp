@@ -3,6 +3,9 @@
 
 #include "core/bsp/grow_sampled.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/bsp/binned_parts.h"
 #include "core/bsp/recursion.h"
 
@@ -54,7 +57,7 @@ class SampledTree {
     std::vector<ObjectParts> dealt = deal_parts(job_, parts, tree_);
     std::size_t references = 0;
     for (const ObjectParts& leaf : dealt) references += leaf.size();
-    branch.nodes = tree_.nodes;
+    branch.nodes = std::move(tree_.nodes);
     branch.references.resize(references);
     references = 0;
     for (std::size_t i = 0; i < dealt.size(); ++i) {

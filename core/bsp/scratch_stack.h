@@ -56,8 +56,8 @@ class ScratchStack {
  private:
   void* take(std::size_t bytes);
 
-  std::vector<RawVector<std::byte>>
-      blocks_;  // those before the top one are full, those behind it are free
+  // Those before the top one are full, those behind it are free.
+  std::vector<RawVector<std::byte>> blocks_;
   Mark top_;
 };
 

@@ -200,8 +200,8 @@ class Accelerator::LeafMaker {
       whole.add(range);
       range = before;
     }
-    all_mixed_ = whole.blocks >= mixed_bit >> count_bits ||
-                 whole.others >= others_bit >> count_bits;
+    all_mixed_ =
+        whole.blocks >= mixed_bit >> count_bits || whole.others >= others_bit >> count_bits;
     if (all_mixed_) {
       for (std::size_t i = 0; i < ranges_.size(); ++i) ranges_[i].mixed = i * range_size;
       whole.mixed = leaves_.size();

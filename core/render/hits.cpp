@@ -4,6 +4,8 @@
 //
 #include <hwy/highway.h>
 
+#include <type_traits>
+
 #include "core/render/hits.h"
 #include "core/render/lazy_walk.h"
 #include "core/render/packet_group-inl.h"
@@ -50,10 +52,11 @@ void set(std::uint32_t& to, const Hit& hit) {
   to = hit.object;
 }
 
-/// Answer: Hit, or the number of an object.
-template <bool any, class Answer>
+/// Answer: Hit, of the nearest; or the number of any object.
+template <class Answer>
 void trace_all(const World& world, std::span<const Ray> rays, SideRule rule,
                std::span<Answer> answers) {
+  constexpr bool any = !std::is_same_v<Answer, Hit>;
   if (world.accelerator == nullptr) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       set(answers[i], find_alone<any>(world, rays[i], rule));
@@ -125,12 +128,12 @@ std::uint64_t walk_together_here(const World& world, std::span<const Ray> rays, 
 
 void closest_hits_here(const World& world, std::span<const Ray> rays, SideRule rule,
                        std::span<Hit> hits) {
-  trace_all<false>(world, rays, rule, hits);
+  trace_all(world, rays, rule, hits);
 }
 
 void any_hits_here(const World& world, std::span<const Ray> rays, SideRule rule,
                    std::span<std::uint32_t> objects) {
-  trace_all<true>(world, rays, rule, objects);
+  trace_all(world, rays, rule, objects);
 }
 
 int width_here() {

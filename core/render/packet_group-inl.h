@@ -8,7 +8,8 @@
 #define BSPVIEW_PACKET_GROUP
 #endif
 
-#include <array>
+#include <algorithm>
+#include <span>
 
 #include "core/render/packet-inl.h"
 #include "core/render/traverse_parts-inl.h"
@@ -75,8 +76,9 @@ class PacketGroup {
   void for_each_alone(const Work& work) const {
     std::size_t first = 0;
     for (const unsigned lanes : alone_) {
-      for (unsigned rest = lanes; rest != 0;)
+      for (unsigned rest = lanes; rest != 0;) {
         work(first + static_cast<std::size_t>(take_lane(rest)));
+      }
       first += static_cast<std::size_t>(lane_count());
     }
   }

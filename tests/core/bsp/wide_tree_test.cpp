@@ -37,7 +37,7 @@ struct Wide {
   bool leads_to(std::uint32_t object, Vec3 point, std::uint32_t index = 0) const {
     const WideNode& node = wide.nodes[index];
     for (int slot = 0; slot < WideNode::width; ++slot) {
-      if (!box_of(node, slot).contains(point)) continue;
+      if (!node.box(slot).contains(point)) continue;
       const std::uint32_t child = node.child[slot];
       if (child & WideNode::leaf_bit) {
         if (std::ranges::count(leaves[child & ~WideNode::leaf_bit], object) > 0) return true;
@@ -46,15 +46,6 @@ struct Wide {
       }
     }
     return false;
-  }
-
-  static Aabb box_of(const WideNode& node, int slot) {
-    Aabb box;
-    for (int axis = 0; axis < 3; ++axis) {
-      box.lo[axis] = node.bounds[2 * axis][slot];
-      box.hi[axis] = node.bounds[2 * axis + 1][slot];
-    }
-    return box;
   }
 
   std::vector<Aabb> boxes;
@@ -104,7 +95,7 @@ TEST(WideTree, HoldsNothingInSlotsWithoutACell) {
   std::size_t used = 0, empty = 0;
   for (const WideNode& node : widened.wide.nodes) {
     for (int slot = 0; slot < WideNode::width; ++slot) {
-      (Wide::box_of(node, slot).empty() ? empty : used) += 1;
+      (node.box(slot).empty() ? empty : used) += 1;
     }
   }
   EXPECT_EQ(used, widened.leaves.size() + widened.wide.nodes.size() - 1);  // each but the root
@@ -134,7 +125,7 @@ double cost_of(const Wide& wide, double root_area) {
   double cost = root_area;
   for (const WideNode& node : wide.wide.nodes) {
     for (int slot = 0; slot < WideNode::width; ++slot) {
-      const Aabb box = Wide::box_of(node, slot);
+      const Aabb box = node.box(slot);
       if (box.empty()) continue;
       const std::uint32_t child = node.child[slot];
       const std::size_t steps =
@@ -233,7 +224,7 @@ TEST(WideTree, LiesDepthFirstInMemory) {
     ASSERT_EQ(child, nodes++);
     const WideNode& node = wide.wide.nodes[child];
     for (int slot = 0; slot < WideNode::width; ++slot) {
-      if (!Wide::box_of(node, slot).empty()) self(self, node.child[slot]);
+      if (!node.box(slot).empty()) self(self, node.child[slot]);
     }
   };
   visit(visit, 0);
