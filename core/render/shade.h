@@ -21,8 +21,8 @@ struct RayRole {
   int sender = -1;  ///< number of the ray that sends it; -1: the eye
 };
 
-/// Colour along rays. Rays of one level are traced together, all that a set of points sends to a
-/// light at once, so that a tracer can take many at a time. Tracer: see tracer.h.
+/// Colour along rays. Rays of one level and kind are traced together, all that a set of points
+/// sends to a light at once, so that a tracer can take many at a time. Tracer: see tracer.h.
 ///
 /// The weight of a ray is the product of the factors (Ks, T, or both together after total internal
 /// reflection) that scale its colour on the way back to the eye; it is 1 for the eye ray. With a
@@ -65,7 +65,11 @@ class Shader {
     float weight = 1.0f;  ///< of the ray
   };
 
-  /// Rays of one level.
+  // What follows fills its vectors in place, v.emplace_back() = x: to copy what was written a
+  // moment ago, in other pieces, would wait for the memory (store forwarding), a tenth of a
+  // picture.
+
+  /// Rays of one level and kind.
   struct Wave {
     std::vector<Ray> rays;
     std::vector<RayRole> roles;
@@ -74,19 +78,30 @@ class Shader {
     std::vector<Vec3> colors;
 
     void add(const Ray& ray, const RayRole& role, const Purpose& purpose) {
-      rays.push_back(ray);
-      roles.push_back(role);
-      purposes.push_back(purpose);
+      rays.emplace_back() = ray;
+      roles.emplace_back() = role;
+      purposes.emplace_back() = purpose;
     }
+  };
+
+  /// What points send: each kind by itself, so that neighbours run the same way.
+  struct Sent {
+    Wave refracted, reflected;
   };
 
   /// Where a ray of a wave hit something.
   struct Point {
+    Point(const Scene& scene, const Wave& wave, std::size_t number)
+        : ray(number),
+          surface(surface_at(scene, wave.rays[ray], wave.hits[ray])),
+          view(glm::normalize(Vec3d(wave.rays[ray].direction))),
+          mirrored(glm::reflect(view, surface.shading_normal)) {}
+
     std::size_t ray;  ///< in the wave
     Surface surface;
-    Vec3d view;        ///< direction of the ray, of length 1
-    Vec3d mirrored;    ///< the view, reflected
-    Vec3 local, sent;  ///< colour by lights, and along the rays that the point sends
+    Vec3d view;                    ///< direction of the ray, of length 1
+    Vec3d mirrored;                ///< the view, reflected
+    Vec3 local{0.0f}, sent{0.0f};  ///< colour by lights, and along the rays that the point sends
   };
 
   /// Points and the rays that hit them.
@@ -101,8 +116,9 @@ class Shader {
     wave.colors.assign(wave.rays.size(), scene_.background);
     tracer_.closest(wave.rays, wave.roles, wave.hits);
     Lit lit{wave, {}};
+    lit.points.reserve(wave.rays.size());
     for (std::size_t i = 0; i < wave.rays.size(); ++i) {
-      if (wave.hits[i]) lit.points.push_back(point_at(wave, i));
+      if (wave.hits[i]) add_ambient(lit.points.emplace_back(scene_, wave, i));
     }
     if (lit.points.empty()) return;
     for (const Light& light : scene_.lights) add_light(lit, light);
@@ -110,16 +126,9 @@ class Shader {
     for (const Point& point : lit.points) wave.colors[point.ray] = point.local + point.sent;
   }
 
-  Point point_at(const Wave& wave, std::size_t ray) const {
-    const Surface surface = surface_at(scene_, wave.rays[ray], wave.hits[ray]);
-    const Material& material = *surface.material;
-    const Vec3d view = glm::normalize(Vec3d(wave.rays[ray].direction));
-    return {.ray = ray,
-            .surface = surface,
-            .view = view,
-            .mirrored = glm::reflect(view, surface.shading_normal),
-            .local = intensity_ * (material.diffuse * material.color),
-            .sent = Vec3(0.0f)};
+  void add_ambient(Point& point) const {
+    const Material& material = *point.surface.material;
+    point.local = intensity_ * (material.diffuse * material.color);
   }
 
   /// A point that a light reaches if nothing is in the way.
@@ -129,29 +138,45 @@ class Shader {
     double highlight;  ///< of its angle to the mirrored view
   };
 
-  /// Diffuse light and highlights.
-  void add_light(Lit& lit, const Light& light) {
-    std::vector<Facing> all_facing;
+  /// The shadow rays to one light.
+  struct Shadows {
+    explicit Shadows(std::size_t most) {
+      points.reserve(most);
+      rays.reserve(most);
+      roles.reserve(most);
+    }
+
+    std::vector<Facing> points;  ///< that send them
     std::vector<Ray> rays;
     std::vector<RayRole> roles;
-    for (Point& point : lit.points) {
-      const Facing facing = face(point, light);
-      if (!(facing.cosine > 0.0)) continue;
-      if (cutoff_ > 0.0f) [[unlikely]] {
-        const Vec3 share = light_share(facing, light);
-        const float weight = lit.wave.purposes[point.ray].weight;
-        if (weight * std::max({share.x, share.y, share.z}) < cutoff_) continue;
-      }
-      const RayRole& sender = lit.wave.roles[point.ray];
-      all_facing.push_back(facing);
-      rays.push_back(shadow_ray(point.surface, light, offset_));
-      roles.push_back({RayKind::shadow, sender.level + 1, -1, sender.number});
+    std::vector<char> blocked;
+  };
+
+  /// Diffuse light and highlights.
+  void add_light(Lit& lit, const Light& light) {
+    Shadows shadows(lit.points.size());
+    for (Point& point : lit.points) aim(point, light, lit.wave, shadows);
+    shadows.blocked.resize(shadows.rays.size());
+    tracer_.occluded(shadows.rays, shadows.roles, shadows.blocked);
+    for (std::size_t i = 0; i < shadows.points.size(); ++i) {
+      const Facing& facing = shadows.points[i];
+      if (!shadows.blocked[i]) facing.point->local += light_share(facing, light);
     }
-    std::vector<char> blocked(rays.size());
-    tracer_.occluded(rays, roles, blocked);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (!blocked[i]) all_facing[i].point->local += light_share(all_facing[i], light);
+  }
+
+  /// Adds the shadow ray of a point, if it sends one.
+  void aim(Point& point, const Light& light, const Wave& wave, Shadows& shadows) const {
+    const Facing facing = face(point, light);
+    if (!(facing.cosine > 0.0)) return;
+    if (cutoff_ > 0.0f) [[unlikely]] {
+      const Vec3 share = light_share(facing, light);
+      const float weight = wave.purposes[point.ray].weight;
+      if (weight * std::max({share.x, share.y, share.z}) < cutoff_) return;
     }
+    const RayRole& sender = wave.roles[point.ray];
+    shadows.points.emplace_back() = facing;
+    shadows.rays.emplace_back() = shadow_ray(point.surface, light, offset_);
+    shadows.roles.emplace_back() = {RayKind::shadow, sender.level + 1, -1, sender.number};
   }
 
   /// How a point stands to a light; a cosine of 0 where it turns its back to it or does not care.
@@ -179,15 +204,18 @@ class Shader {
   /// Reflection and refraction; a ray is sent only where its colour counts, or, under the SPD's
   /// rules, wherever they ask for one.
   void send_rays(Lit& lit) {
-    Wave next;
+    Sent next;
     for (std::size_t i = 0; i < lit.points.size(); ++i) {
       send_rays(lit, i, next);
-      if (next.rays.size() >= many_rays) collect(lit, next);
+      for (Wave* wave : {&next.refracted, &next.reflected}) {
+        if (wave->rays.size() >= many_rays) collect(lit, *wave);
+      }
     }
-    collect(lit, next);
+    collect(lit, next.refracted);
+    collect(lit, next.reflected);
   }
 
-  void send_rays(const Lit& lit, std::size_t index, Wave& next) {
+  void send_rays(const Lit& lit, std::size_t index, Sent& next) {
     const Point& point = lit.points[index];
     const Material& material = *point.surface.material;
     const bool transparent = material.transmittance > 0.0f;
@@ -196,7 +224,8 @@ class Shader {
     const float weight = lit.wave.purposes[point.ray].weight;
     const auto send = [&](RayKind kind, Vec3d direction, float share) {
       if (weight * share < cutoff_) return;
-      next.add(leaving_ray(point.surface, direction, offset_),
+      Wave& wave = kind == RayKind::refracted ? next.refracted : next.reflected;
+      wave.add(leaving_ray(point.surface, direction, offset_),
                {kind, sender.level + 1, next_number_++, sender.number},
                {index, share, weight * share});
     };

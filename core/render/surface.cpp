@@ -105,26 +105,12 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
   return surface;
 }
 
-Ray leaving_ray(const Surface& surface, Vec3d direction, OffsetRule rule) {
-  if (rule == OffsetRule::fixed) return {Vec3(surface.point), Vec3(direction), fixed_t_min};
-  return {leaving_origin(surface, direction), Vec3(direction)};
-}
-
-Ray shadow_ray(const Surface& surface, const Light& light, OffsetRule rule) {
-  Ray ray = leaving_ray(surface, Vec3d(light.position) - surface.point, rule);
-  ray.direction = light.position - ray.origin;
-  ray.t_max = 1.0f - 0x1p-20f;
-  return ray;
-}
-
 Vec3 leaving_origin(const Surface& surface, Vec3d direction) {
   const double reach = glm::dot(magnitudes(surface.normal), surface.error);
   const double side = glm::dot(direction, surface.normal) < 0.0 ? -1.0 : 1.0;
   const Vec3d offset = (side * reach) * surface.normal;
   const Vec3d moved = surface.point + offset;
-  Vec3 origin;
-  for (int axis = 0; axis < 3; ++axis) origin[axis] = moved_out(moved[axis], offset[axis]);
-  return origin;
+  return {moved_out(moved.x, offset.x), moved_out(moved.y, offset.y), moved_out(moved.z, offset.z)};
 }
 
 }  // namespace bspview

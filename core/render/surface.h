@@ -21,10 +21,18 @@ Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
 Vec3 leaving_origin(const Surface& surface, Vec3d direction);
 
 /// The ray from the surface towards `direction`.
-Ray leaving_ray(const Surface& surface, Vec3d direction, OffsetRule rule);
+inline Ray leaving_ray(const Surface& surface, Vec3d direction, OffsetRule rule) {
+  if (rule == OffsetRule::fixed) return {Vec3(surface.point), Vec3(direction), fixed_t_min};
+  return {leaving_origin(surface, direction), Vec3(direction)};
+}
 
 /// The ray from the surface up to just before the light: one that lies in a surface is not hidden
 /// by it.
-Ray shadow_ray(const Surface& surface, const Light& light, OffsetRule rule);
+inline Ray shadow_ray(const Surface& surface, const Light& light, OffsetRule rule) {
+  Ray ray = leaving_ray(surface, Vec3d(light.position) - surface.point, rule);
+  ray.direction = light.position - ray.origin;
+  ray.t_max = 1.0f - 0x1p-20f;
+  return ray;
+}
 
 }  // namespace bspview
