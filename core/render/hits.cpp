@@ -31,7 +31,7 @@ HWY_INLINE Hit find_alone(const World& world, const Ray& ray, SideRule rule) {
   if (world.accelerator == nullptr || !is_plain(ray)) {
     return find_in_binary_tree<any>(world, ray, rule);
   }
-  return trace_single_ray<any>(world, ray, rule, [] {});
+  return trace_single_ray<any>(world, ray, rule);
 }
 
 /// Calls work(group, first, some) for rays after rays, as many as go together.
@@ -80,33 +80,6 @@ std::uint32_t fast_any_hit_here(const World& world, const Ray& ray, SideRule rul
   return find_alone<true>(world, ray, rule).object;
 }
 
-std::uint32_t count_leaves_here(const World& world, const Ray& ray, const TraceRules& rules,
-                                bool any) {
-  std::uint32_t leaves = 0;
-  if (!is_plain(ray)) return leaves;
-  const auto visit = [&] { ++leaves; };
-  if (any) {
-    trace_single_ray<true>(world, ray, rules.shadow_sides, visit);
-  } else {
-    trace_single_ray<false>(world, ray, rules.sides, visit);
-  }
-  return leaves;
-}
-
-std::uint32_t walk_leaves_here(const World& world, const Ray& ray, std::uint32_t leaves) {
-  if (!is_plain(ray)) return no_leaf;
-  const WideRay wide(ray);
-  std::uint32_t last = wide.near_row[0] == 0 ? 0 : no_leaf;  // of the ray, lest it be left out
-  if (leaves == 0) return last;
-  float reach = ray.t_max * hit_margin;
-  const auto pass = [&](const Accelerator&, std::uint32_t child) {
-    last = child;
-    if (--leaves == 0) reach = -1.0f;
-  };
-  traverse_parts(*world.accelerator, wide, reach, pass);
-  return last;
-}
-
 /// One ray to the end of its interval. Answers the names of the leaves, added up.
 std::uint64_t walk_alone(const World& world, const Ray& ray) {
   std::uint64_t sum = 0;
@@ -152,8 +125,6 @@ namespace bspview {
 
 HWY_EXPORT(fast_closest_hit_here);
 HWY_EXPORT(fast_any_hit_here);
-HWY_EXPORT(count_leaves_here);
-HWY_EXPORT(walk_leaves_here);
 HWY_EXPORT(walk_together_here);
 HWY_EXPORT(closest_hits_here);
 HWY_EXPORT(any_hits_here);
@@ -166,14 +137,6 @@ Hit fast_closest_hit(const World& world, const Ray& ray, SideRule rule) {
 
 std::uint32_t fast_any_hit(const World& world, const Ray& ray, SideRule rule) {
   return HWY_DYNAMIC_DISPATCH(fast_any_hit_here)(world, ray, rule);
-}
-
-std::uint32_t count_leaves(const World& world, const Ray& ray, const TraceRules& rules, bool any) {
-  return HWY_DYNAMIC_DISPATCH(count_leaves_here)(world, ray, rules, any);
-}
-
-std::uint32_t walk_leaves(const World& world, const Ray& ray, std::uint32_t leaves) {
-  return HWY_DYNAMIC_DISPATCH(walk_leaves_here)(world, ray, leaves);
 }
 
 std::uint64_t walk_together(const World& world, std::span<const Ray> rays, bool walks) {

@@ -31,16 +31,9 @@ inline bool is_fast(const World& world, const TraceRules& rules) {
          rules.arithmetic == Arithmetic::exact;
 }
 
-// The walk alone, to measure it by (record.h). Both need an accelerator.
-
-/// How many leaves fast_closest_hit, or fast_any_hit, visits; 0 for a ray that is none.
-std::uint32_t count_leaves(const World& world, const Ray& ray, const TraceRules& rules, bool any);
-
-/// Walks to so many leaves without object tests; 0: makes ready, no more. Answers the last one.
-std::uint32_t walk_leaves(const World& world, const Ray& ray, std::uint32_t leaves);
-
 /// Walks as closest_hits, each ray to the end of its interval, without object tests; or makes
-/// ready, no more. Answers the names of the leaves, added up.
+/// ready, no more: to measure the walk by (record.h). Answers the names of the leaves, added up.
+/// Needs an accelerator.
 std::uint64_t walk_together(const World& world, std::span<const Ray> rays, bool walks);
 
 /// Rays at a time, and the instruction set.

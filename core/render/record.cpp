@@ -17,7 +17,7 @@ std::uint64_t walk(const Tree& tree, Traversal traversal, const RecordedRay& rec
   return traverse(traversal, tree, recorded.ray, leaf, none);
 }
 
-/// Rays that the accelerator takes together.
+/// Rays that were asked about together, in the tree of the accelerator.
 std::uint64_t walk_together(const World& world, std::span<const RecordedRay> recorded,
                             Replay what) {
   std::vector<Ray> rays;
@@ -28,24 +28,13 @@ std::uint64_t walk_together(const World& world, std::span<const RecordedRay> rec
   return walk_together(world, rays, what == Replay::walk);
 }
 
-std::uint64_t walk_alone(const World& world, const RecordedRay& ray, Replay what) {
-  if (what == Replay::enter) return walk_leaves(world, ray.ray, 0);
-  return ray.leaves == 0 ? 0 : walk_leaves(world, ray.ray, ray.leaves);
-}
-
-/// The same in the tree of the accelerator, where rays that were asked about together are one
-/// after the other.
 std::uint64_t walk_wide(const World& world, std::span<const RecordedRay> rays, Replay what) {
   std::uint64_t sum = 0;
   while (!rays.empty()) {
     const auto is_first = [](const RecordedRay& one) { return one.is_first; };
     const auto behind = std::find_if(rays.begin() + 1, rays.end(), is_first);
     const auto wave = rays.first(static_cast<std::size_t>(behind - rays.begin()));
-    if (go_together(wave.front().kind)) {
-      sum += walk_together(world, wave, what);
-    } else {
-      for (const RecordedRay& ray : wave) sum += walk_alone(world, ray, what);
-    }
+    sum += walk_together(world, wave, what);
     rays = rays.subspan(wave.size());
   }
   return sum;

@@ -64,11 +64,8 @@ class SingleRay {
         triangle_ray_(ray, reach_of(world.tree.box, ray.origin)),
         reach_(ray.t_max * hit_margin) {}
 
-  /// visit() is told of each leaf.
-  template <class Visit>
-  HWY_INLINE Hit trace(Visit&& visit) {
+  HWY_INLINE Hit trace() {
     const auto meet = [&](const Accelerator& accelerator, std::uint32_t child) {
-      visit();
       meet_leaf(accelerator, child);
     };
     traverse_parts(*world_.accelerator, WideRay(ray_), reach_, meet);
@@ -159,11 +156,11 @@ class SingleRay {
   float reach_;
 };
 
-/// The nearest hit, or anything. visit() is told of each leaf.
-template <bool any, class Visit>
-HWY_INLINE Hit trace_single_ray(const World& world, const Ray& ray, SideRule rule, Visit&& visit) {
-  if (has_triangles(world.scene)) return SingleRay<any, true>(world, ray, rule).trace(visit);
-  return SingleRay<any, false>(world, ray, rule).trace(visit);
+/// The nearest hit, or anything.
+template <bool any>
+HWY_INLINE Hit trace_single_ray(const World& world, const Ray& ray, SideRule rule) {
+  if (has_triangles(world.scene)) return SingleRay<any, true>(world, ray, rule).trace();
+  return SingleRay<any, false>(world, ray, rule).trace();
 }
 
 }  // namespace bspview::HWY_NAMESPACE

@@ -1,6 +1,13 @@
 #include "core/render/tracer.h"
 
 namespace bspview {
+namespace {
+
+std::uint32_t leaves_of(const RayCost& cost) {
+  return static_cast<std::uint32_t>(cost.leaves);
+}
+
+}  // namespace
 
 void RecordTracer::closest(std::span<const Ray> rays, std::span<const RayRole> roles,
                            std::span<Hit> hits) {
@@ -9,7 +16,7 @@ void RecordTracer::closest(std::span<const Ray> rays, std::span<const RayRole> r
     CountObserver count(cost);
     hits[i] = trace_closest(world_, rays[i], rules_, count);
     const float end = hits[i] ? static_cast<float>(hits[i].t) : rays[i].t_max;
-    rays_.push_back({rays[i], leaves_of(rays[i], cost, false), end, roles[i].kind, i == 0});
+    rays_.push_back({rays[i], leaves_of(cost), end, roles[i].kind, i == 0});
   }
 }
 
@@ -26,7 +33,7 @@ void RecordTracer::occluded(std::span<const Ray> rays, std::span<const RayRole> 
       const RayQuery query = ExactShapes::query(world_, ray);
       end = static_cast<float>(hit_object(world_.scene, blocker, query, rules_.shadow_sides));
     }
-    rays_.push_back({ray, leaves_of(ray, cost, true), end, roles[i].kind, i == 0});
+    rays_.push_back({ray, leaves_of(cost), end, roles[i].kind, i == 0});
   }
 }
 

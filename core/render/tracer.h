@@ -27,21 +27,17 @@ class OneByOne : public One {
   }
 };
 
-/// Whether the rays of a kind are traced together where the accelerator is used.
-inline bool go_together(RayKind kind) {
-  return kind == RayKind::primary || kind == RayKind::shadow;
-}
-
 /// Keeps nothing: the timed path.
 class PlainTracer {
  public:
   PlainTracer(const World& world, const TraceRules& rules)
       : world_(world), rules_(rules), is_fast_(bspview::is_fast(world, rules)) {}
-  void closest(std::span<const Ray> rays, std::span<const RayRole> roles, std::span<Hit> hits) {
-    if (is_fast_ && go_together(roles[0].kind)) {
-      return closest_hits(world_, rays, rules_.sides, hits);
+  void closest(std::span<const Ray> rays, std::span<const RayRole>, std::span<Hit> hits) {
+    if (is_fast_) return closest_hits(world_, rays, rules_.sides, hits);
+    NoObserver none;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      hits[i] = trace_closest(world_, rays[i], rules_, none);
     }
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = closest(rays[i]);
   }
   void occluded(std::span<const Ray> rays, std::span<const RayRole>, std::span<char> blocked) {
     if (is_fast_) {
@@ -57,12 +53,6 @@ class PlainTracer {
   }
 
  private:
-  Hit closest(const Ray& ray) const {
-    if (is_fast_) return fast_closest_hit(world_, ray, rules_.sides);
-    NoObserver none;
-    return trace_closest(world_, ray, rules_, none);
-  }
-
   World world_;
   TraceRules rules_;
   bool is_fast_;
@@ -104,7 +94,7 @@ using CountTracer = OneByOne<CountOne>;
 /// A ray of a picture and how far it walked.
 struct RecordedRay {
   Ray ray;
-  std::uint32_t leaves = 0;  ///< of the binary or the wide tree, visited until the walk ended
+  std::uint32_t leaves = 0;  ///< visited until the walk ended
   float end = 0.0f;          ///< t of what it hit, else t_max
   RayKind kind = RayKind::primary;
   bool is_first = false;  ///< of those that were asked about together
@@ -119,11 +109,6 @@ class RecordTracer {
   std::vector<RecordedRay>& rays() { return rays_; }
 
  private:
-  std::uint32_t leaves_of(const Ray& ray, const RayCost& cost, bool any) const {
-    if (is_fast(world_, rules_)) return count_leaves(world_, ray, rules_, any);
-    return static_cast<std::uint32_t>(cost.leaves);
-  }
-
   World world_;
   TraceRules rules_;
   std::vector<RecordedRay> rays_;
