@@ -21,7 +21,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace bspview::HWY_NAMESPACE {
 
-/// So many rays meet a block one by one: what they pass as a whole is not worth finding out.
+/// So many rays meet a block or an object one by one: to find out what they pass as a whole, or to
+/// test them side by side, is not worth it.
 constexpr std::size_t few = 2;
 
 /// Of shears, see ShearInterval::radius.
@@ -102,12 +103,34 @@ class Packet {
   template <bool any>
   HWY_INLINE void meet_object(const LeafObject& object, unsigned lanes) {
     const Scene& scene = world_.scene;
+    const Sides sides = visible_sides(scene, scene.objects[object.id], rule_);
     if (hwy::PopCount(lanes) > few) lanes &= lanes_near(object);
+    const bool is_worth_it = hwy::PopCount(lanes) > few;
+    if (is_worth_it && object.kind() == ObjectKind::sphere) {
+      return meet_lanes<any>(object.id, lanes, [&](const WideLanes& rays) {
+        return hit_sphere_lanes(rays, scene.spheres[object.shape], sides);
+      });
+    }
+    if (is_worth_it && object.kind() == ObjectKind::cone) {
+      return meet_lanes<any>(object.id, lanes, [&](const WideLanes& rays) {
+        return hit_cone_lanes(rays, scene.cone_frames[object.shape], sides);
+      });
+    }
     while (lanes != 0) {
       const int lane = take_lane(lanes);
-      keep<any>(lane, object.id,
-                hit_shape(scene, object.kind(), object.shape, query(lane),
-                          visible_sides(scene, scene.objects[object.id], rule_)));
+      keep<any>(lane, object.id, hit_shape(scene, object.kind(), object.shape, query(lane), sides));
+    }
+  }
+
+  /// test(rays): what some of the rays hit, as many as a vector of doubles has.
+  template <bool any, class Test>
+  HWY_INLINE void meet_lanes(std::uint32_t id, unsigned lanes, const Test& test) {
+    const int step = static_cast<int>(hn::Lanes(doubles));
+    for (int first = 0; first < lane_count(); first += step) {
+      const unsigned here = lanes >> first & ((1u << step) - 1u);
+      if (here == 0) continue;
+      const LaneHits hits = test(WideLanes(rays_, first));
+      keep_nearer<any>(id, first, hits.t, hits.hit & here);
     }
   }
 

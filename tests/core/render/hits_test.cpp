@@ -207,6 +207,54 @@ TEST_P(HitsTest, ARayBesideARoundShapeByLessThanRoundingFindsWhatTheBinaryTreeFi
   expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
 }
 
+/// Balls, cylinders, cones with and without an apex, each seen from outside or from inside, and
+/// some without a radius.
+Scene round_shapes(int count, Random& random) {
+  Scene scene;
+  scene.materials.resize(1);
+  const auto radius = [&] { return random.below(8) == 0 ? 0.0f : random.between(0.1f, 0.4f); };
+  for (int i = 0; i < count; ++i) {
+    const float sign = random.below(3) == 0 ? -1.0f : 1.0f;
+    const Vec3 base = random.point(1.0f);
+    const float base_radius = sign * radius();
+    const float apex_radius = random.below(2) == 0 ? base_radius : sign * radius();
+    add_sphere(scene, 0, {random.point(1.0f), sign * radius()});
+    add_cone(scene, 0, {base, base_radius, base + 0.6f * random.direction(), apex_radius});
+  }
+  return scene;
+}
+
+TEST_P(HitsTest, RoundShapesOfEveryFormFindWhatTheBinaryTreeFinds) {
+  Random random(9);
+  for (const SideRule rule : {SideRule::two_sided, SideRule::one_sided}) {
+    std::vector<Ray> rays = bundle(4000, random);
+    for (std::size_t first = 0; first < rays.size(); first += 40) {
+      const float start = random.between(0.0f, 1.2f), end = random.between(0.5f, 2.0f);
+      for (Ray& ray : std::span(rays).subspan(first, 40)) {
+        if (first % 80 == 0) ray.origin += start * ray.direction;
+        if (first % 120 == 0) ray.t_max = end;
+      }
+    }
+    expect_answers_of_binary_tree(round_shapes(20, random), rays, rule);
+  }
+}
+
+TEST_P(HitsTest, RaysAlongTheAxesOfCylindersFindWhatTheBinaryTreeFinds) {
+  Random random(10);
+  Scene scene;
+  scene.materials.resize(1);
+  for (const Vec3 base : {Vec3(0.0f), Vec3(4.0f, 0.0f, 0.0f)}) {
+    add_cone(scene, 0, {base, 1.0f, base + Vec3(1.0f), 1.0f});
+    add_sphere(scene, 0, {base + Vec3(3.0f), 0.5f});
+  }
+  std::vector<Ray> rays;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 target(static_cast<float>(4 * (i / 40 % 2)), 0.0f, 0.0f);
+    rays.push_back({target + random.point(0.5f) - Vec3(3.0f), Vec3(1.0f)});
+  }
+  expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
+}
+
 TEST_P(HitsTest, WithoutAnAcceleratorRaysGoThroughTheBinaryTree) {
   Random random(6);
   const Scene scene = test::random_scene(100, 16);
