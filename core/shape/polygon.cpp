@@ -1,11 +1,14 @@
 #include "core/shape/polygon.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <vector>
 
 #include "core/math/exact.h"
 #include "core/math/float_error.h"
+#include "core/shape/heights.h"
 #include "core/shape/triangle.h"
 
 namespace bspview {
@@ -75,29 +78,71 @@ int side_of_crossing(const HitPoint& p, const PolygonPlane& plane, const Vec3& b
 /// How a polygon lies to a point of its plane.
 enum class Place { outside, inside, open };
 
-/// Counts the edges that cross the half-line from `p` towards larger x; open where a vertex or an
-/// edge is too close to tell.
-Place place_of(const HitPoint& p, const PolygonPlane& plane, std::span<const Vec3> vertices) {
-  const auto y = static_cast<float>(p.y);
-  float nearest = std::numeric_limits<float>::infinity();
-  bool inside = false, open = false;
-  const Vec3* from = &vertices.back();
-  float from_height = component(*from, plane.y_axis) - y;
-  for (const Vec3& to : vertices) {
-    const float height = component(to, plane.y_axis) - y;
-    nearest = std::min(nearest, std::abs(height));
-    if (std::signbit(height) != std::signbit(from_height)) {
-      const int side = std::signbit(from_height) ? side_of_crossing(p, plane, *from, to)
-                                                 : side_of_crossing(p, plane, to, *from);
-      open |= side == 0;
-      inside ^= side > 0;
-    }
-    from_height = height;
-    from = &to;
+/// As heights_of, for as few points as are done before it would be called.
+Heights heights_of_few(std::span<const Vec3> points, int axis, float height) {
+  Heights heights;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    heights.add(i, component(points[i], axis) - height);
   }
-  // Heights are off by the rounding of y, and by less than the 2^-22 of themselves.
-  open |= !(nearest > 1.001 * p.slack + 0x1p-22 * std::abs(p.y));
-  return open ? Place::open : inside ? Place::inside : Place::outside;
+  return heights;
+}
+
+/// Counts the edges that cross the half-line from a point towards larger x; open where a vertex or
+/// an edge is too close to tell.
+class CrossingCount {
+ public:
+  CrossingCount(const HitPoint& p, const PolygonPlane& plane, const Vec3& last)
+      : p_(p), plane_(plane), y_(static_cast<float>(p.y)), from_(&last) {
+    from_below_ = std::signbit(component(last, plane.y_axis) - y_);
+  }
+
+  /// The edges to at most Heights::most vertices, each from the one before it.
+  void add_edges(std::span<const Vec3> vertices) {
+    constexpr std::size_t few = 12;
+    const Heights heights = vertices.size() <= few ? heights_of_few(vertices, plane_.y_axis, y_)
+                                                   : heights_of(vertices, plane_.y_axis, y_);
+    nearest_ = std::min(nearest_, heights.nearest);
+    const std::uint64_t all = ~std::uint64_t{0} >> (Heights::most - vertices.size());
+    std::uint64_t cross = (heights.below ^ (heights.below << 1 | std::uint64_t{from_below_})) & all;
+    for (; cross != 0; cross &= cross - 1) {
+      const int i = std::countr_zero(cross);
+      const Vec3* const to = vertices.data() + i;
+      add_crossing(i == 0 ? *from_ : to[-1], *to, (heights.below >> i & 1) != 0);
+    }
+    from_ = &vertices.back();
+    from_below_ = (heights.below >> (vertices.size() - 1) & 1) != 0;
+  }
+
+  Place place() const {
+    // Heights are off by the rounding of y, and by less than the 2^-22 of themselves.
+    if (open_ || !(nearest_ > 1.001 * p_.slack + 0x1p-22 * std::abs(p_.y))) return Place::open;
+    return inside_ ? Place::inside : Place::outside;
+  }
+
+ private:
+  void add_crossing(const Vec3& from, const Vec3& to, bool falls) {
+    const int side =
+        falls ? side_of_crossing(p_, plane_, to, from) : side_of_crossing(p_, plane_, from, to);
+    open_ |= side == 0;
+    inside_ ^= side > 0;
+  }
+
+  const HitPoint& p_;
+  const PolygonPlane& plane_;
+  float y_;
+  const Vec3* from_;
+  bool from_below_;
+  float nearest_ = std::numeric_limits<float>::infinity();
+  bool inside_ = false, open_ = false;
+};
+
+Place place_of(const HitPoint& p, const PolygonPlane& plane, std::span<const Vec3> vertices) {
+  CrossingCount count(p, plane, vertices.back());
+  for (; vertices.size() > Heights::most; vertices = vertices.subspan(Heights::most)) {
+    count.add_edges(vertices.first(Heights::most));
+  }
+  count.add_edges(vertices);
+  return count.place();
 }
 
 /// Where the ray leaves the box of the vertices, but for rounding.
