@@ -4,6 +4,8 @@
 //
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -22,9 +24,9 @@ constexpr Floats floats;
 constexpr hn::RebindToSigned<Floats> ints;
 
 /// `first`: element of the arrays of `scale` that belongs to the first side.
-HWY_INLINE void find_bins(const BinCounts::Scale& scale, const float* sides, std::size_t first,
-                          std::int32_t* bins) {
-  const auto last = hn::Set(floats, BinCounts::bins - 1.0f);
+HWY_INLINE void find_bins(const BinCounts::Scale& scale, float last_bin, const float* sides,
+                          std::size_t first, std::int32_t* bins) {
+  const auto last = hn::Set(floats, last_bin);
   for (std::size_t lane = 0; lane < side_lanes; lane += hn::Lanes(floats)) {
     const auto lo = hn::Load(floats, scale.lo + first + lane);
     const auto per_width = hn::Load(floats, scale.per_width + first + lane);
@@ -38,10 +40,11 @@ void count_parts(std::span<const ObjectPart> parts, BinCounts& counts) {
   static_assert(offsetof(ObjectPart, box) == 0 && sizeof(Aabb) == 6 * sizeof(float));
   alignas(16) std::int32_t first[side_lanes], last[side_lanes];
   const BinCounts::Scale scale = counts.scale;  // stays in registers
+  const float last_bin = static_cast<float>(counts.bins) - 1.0f;
   for (const ObjectPart& part : parts) {
     const auto* const sides = reinterpret_cast<const float*>(&part);
-    find_bins(scale, sides, 0, first);
-    find_bins(scale, sides + 2, side_lanes, last);
+    find_bins(scale, last_bin, sides, 0, first);
+    find_bins(scale, last_bin, sides + 2, side_lanes, last);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       ++counts.starts[static_cast<std::size_t>(first[axis])][axis];
       ++counts.ends[static_cast<std::size_t>(last[axis + 1])][axis];
@@ -58,10 +61,13 @@ namespace bspview {
 
 HWY_EXPORT(count_parts);
 
-BinCounts::BinCounts(const Aabb& cell) {
+BinCounts::BinCounts(const Aabb& cell, std::size_t objects)
+    : bins(std::clamp(std::bit_floor(objects / 4), fewest, most)) {
+  std::fill_n(starts.begin(), bins, ByAxis{});
+  std::fill_n(ends.begin(), bins, ByAxis{});
   for (int axis = 0; axis < 3; ++axis) {
     const float width = component(cell.hi, axis) - component(cell.lo, axis);
-    const float bins_per_width = bins / width;
+    const float bins_per_width = static_cast<float>(bins) / width;
     // Where float has no room for bins, all is in the first one.
     if (!std::isfinite(width) || !std::isfinite(bins_per_width)) continue;
     scale.lo[axis] = scale.lo[axis + 5] = component(cell.lo, axis);
