@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/bsp/bin_planes.h"
 #include "core/bsp/event_sweep.h"
 #include "core/bsp/few_planes.h"
 #include "core/math/float_error.h"
@@ -144,6 +145,29 @@ TEST(CheapestPlane, ABoxThatCostsMoreIsAsGoodAsSeveral) {
     ASSERT_EQ(one.cost, same.cost) << "trial " << trial;
     ASSERT_EQ(one.axis, same.axis) << "trial " << trial;
     ASSERT_EQ(one.position, same.position) << "trial " << trial;
+  }
+}
+
+/// A split by bins is priced by what it divides, for few boxes and for as many as several threads
+/// count; and in the bins around it no plane is forgotten: it costs little more than the best.
+TEST(CheapestPlane, OfBinsIsNearlyThatOfAll) {
+  for (const int count : {40, 100, 200, 400, 800, 1600, 6000}) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      const test::BoxSet set = test::random_boxes(count, seed);
+      const TestJob test(set.boxes(), part_of_the_cube, costs);
+      const Split split = cheapest_of_bins(test.job, test.parts, test.job.box);
+      Split expected = split;
+      expected.left = expected.right = 0;
+      for (const ObjectPart& part : test.parts) {
+        expected.left += part.box.lo[split.axis] <= split.position;
+        expected.right += part.box.hi[split.axis] >= split.position;
+      }
+      ASSERT_EQ(split.left, expected.left) << count;
+      ASSERT_EQ(split.right, expected.right) << count;
+      expected = with_cost_of_leaves(test.job, test.job.box, expected);
+      ASSERT_EQ(split.cost, expected.cost) << count;
+      ASSERT_LE(split.cost, 1.01 * find_swept(test).cost) << count;
+    }
   }
 }
 
