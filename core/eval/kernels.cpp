@@ -122,30 +122,4 @@ Kernel make_fast_kernel() {
   return kernel;
 }
 
-Kernel make_packet_kernel() {
-  Kernel kernel;
-  kernel.name = "bspview packets";
-  kernel.what = fmt::format("the same, {} rays at a time", packet_width());
-  kernel.closest = [](const World& world) -> Kernel::Closest {
-    return [fast = FastWorld(world)](std::span<const Ray> rays, std::span<RayResult> results) {
-      thread_local std::vector<Hit> hits;
-      hits.resize(rays.size());
-      closest_hits(fast.world(), rays, SideRule::two_sided, hits);
-      std::ranges::transform(hits, results.begin(), [](const Hit& hit) {
-        return RayResult{hit.object, hit.t};
-      });
-    };
-  };
-  kernel.occluded = [](const World& world) -> Kernel::Occluded {
-    return [fast = FastWorld(world)](std::span<const Ray> rays, std::span<char> results) {
-      thread_local std::vector<std::uint32_t> objects;
-      objects.resize(rays.size());
-      any_hits(fast.world(), rays, SideRule::two_sided, objects);
-      std::ranges::transform(objects, results.begin(),
-                             [](std::uint32_t object) { return object != no_index; });
-    };
-  };
-  return kernel;
-}
-
 }  // namespace bspview

@@ -31,9 +31,7 @@ struct KernelChoice {
 /// The kernel of a choice. It sees both sides of everything, on the calling thread.
 Kernel make_kernel(const KernelChoice& choice);
 
-// The answers of the default choice by the wide tree, see core/render/hits.h: one ray, and several
-// at a time.
+/// The answers of the default choice by the wide tree, one ray at a time, see core/render/hits.h.
 Kernel make_fast_kernel();
-Kernel make_packet_kernel();
 
 }  // namespace bspview
