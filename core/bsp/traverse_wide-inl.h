@@ -115,7 +115,16 @@ class WideStack {
     top_ += is_wanted;
   }
 
-  /// Puts the cells of one node at their place among each other; name(slot) answers the child.
+  /// Puts the cells of one node there as they come, the last on top; name(slot) answers the child.
+  template <class Name>
+  HWY_INLINE void push_all(unsigned slots, const float* enter, Name name) {
+    for (; slots != 0; slots &= slots - 1) {
+      const int slot = __builtin_ctz(slots);
+      *top_++ = entry(enter[slot], name(slot));
+    }
+  }
+
+  /// The same, each at its place among the others, the nearest on top.
   template <class Name>
   HWY_INLINE void push_sorted(unsigned slots, const float* enter, Name name) {
     std::uint64_t* const base = top_;

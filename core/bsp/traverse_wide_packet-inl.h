@@ -28,9 +28,10 @@ HWY_NOINLINE void go_alone(const WideTree& tree, const PacketWalks& walks, int p
   }
 }
 
-/// Visits the leaves below a node that some rays pass, nearest first; leaf(packet, child, lanes)
-/// tests the objects. Packets go together until one is left, which goes on by itself.
-template <class Leaf>
+/// Visits the leaves below a node that some rays pass, nearest first, or where anything will do
+/// those that take the fewest steps; leaf(packet, child, lanes) tests the objects. Packets go
+/// together until one is left, which goes on by itself.
+template <bool any, class Leaf>
 HWY_NOINLINE void traverse_wide_packets(const WideTree& tree, const PacketWalks& walks,
                                         const PacketLanes& lanes, std::uint32_t index, Leaf& leaf) {
   const RayInterval3 rays(walks, lanes);
@@ -40,9 +41,14 @@ HWY_NOINLINE void traverse_wide_packets(const WideTree& tree, const PacketWalks&
   for (;;) {
     alignas(32) float enter[WideNode::width];
     const unsigned slots = rays.find_cells(tree.nodes[index], reach, enter);
-    stack.push_sorted(slots, enter, [&](int slot) {
+    const auto name_of = [&](int slot) {
       return index * WideNode::width + static_cast<unsigned>(slot);
-    });
+    };
+    if constexpr (any) {
+      stack.push_all(slots, enter, name_of);
+    } else {
+      stack.push_sorted(slots, enter, name_of);
+    }
     for (;;) {
       const std::uint32_t name = stack.pop_child(reach);
       if (name == WideStack::bottom) return;
@@ -60,7 +66,7 @@ HWY_NOINLINE void traverse_wide_packets(const WideTree& tree, const PacketWalks&
       } else if (is_one && hwy::PopCount(here.of[packet]) <= few_on_the_way) {
         go_alone(tree, walks, packet, here.of[packet], index, leaf);
       } else if (is_one && packets != packets_here) {
-        traverse_wide_packets(tree, walks, here, index, leaf);
+        traverse_wide_packets<any>(tree, walks, here, index, leaf);
       } else {
         break;
       }

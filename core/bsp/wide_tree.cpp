@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,7 @@ class NodeCells {
     } else {
       add_below(index, WideNode::width);
     }
+    sort_by_steps();
   }
 
   int size() const { return size_; }
@@ -27,6 +29,17 @@ class NodeCells {
   std::uint32_t operator[](int i) const { return nodes_[i]; }
 
  private:
+  /// Rays that any hit will do visit the last cells first, which have the fewest steps below them:
+  /// what blocks them is found sooner there than in the nearest.
+  void sort_by_steps() {
+    const auto steps = [&](std::uint32_t cell) {
+      const JoinedNode& node = tree_.nodes[cell];
+      return node.cost[0] / std::max(half_area(node.box), 0x1p-120f);
+    };
+    std::ranges::stable_sort(std::span(nodes_).first(static_cast<std::size_t>(size_)),
+                             std::greater{}, steps);
+  }
+
   void add(std::uint32_t index, int cells) {
     const JoinedNode& node = tree_.nodes[index];
     while (cells > 1 && node.cost[cells - 2] == node.cost[cells - 1]) --cells;

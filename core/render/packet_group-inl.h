@@ -42,7 +42,7 @@ class PacketGroup {
       packets_[packet].template meet_leaf<any>(accelerator, accelerator.leaf(child), lanes);
     };
     for_each_way(rays, [&](const PacketLanes& lanes) {
-      traverse_parts_packets(*world_.accelerator, walks_, lanes, meet);
+      traverse_parts_packets<any>(*world_.accelerator, walks_, lanes, meet);
     });
   }
 
@@ -52,7 +52,7 @@ class PacketGroup {
     std::uint64_t sum = 0;
     const auto pass = [&](int, const Accelerator&, std::uint32_t child, unsigned) { sum += child; };
     for_each_way(rays, [&](const PacketLanes& lanes) {
-      if (walks) traverse_parts_packets(*world_.accelerator, walks_, lanes, pass);
+      if (walks) traverse_parts_packets<false>(*world_.accelerator, walks_, lanes, pass);
     });
     return sum;
   }

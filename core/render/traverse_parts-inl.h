@@ -17,7 +17,7 @@ namespace bspview::HWY_NAMESPACE {
 template <class Leaf>
 HWY_NOINLINE void traverse_part(const LazyPart& part, const WideRay& ray, const float& reach,
                                 Leaf& leaf);
-template <class Meet>
+template <bool any, class Meet>
 HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalks& walks,
                                        const PacketLanes& lanes, Meet& meet);
 
@@ -41,22 +41,22 @@ HWY_NOINLINE void traverse_part(const LazyPart& part, const WideRay& ray, const 
 }
 
 /// The same for packets, as traverse_wide_packets; meet(packet, accelerator, child, lanes).
-template <class Meet>
+template <bool any, class Meet>
 HWY_INLINE void traverse_parts_packets(const Accelerator& accelerator, const PacketWalks& walks,
                                        const PacketLanes& lanes, Meet& meet) {
   const auto leaf = [&](int packet, std::uint32_t child, unsigned some) {
     if (const LazyPart* part = accelerator.part(child)) {
-      return traverse_part_packet(*part, walks, PacketLanes::only(packet, some), meet);
+      return traverse_part_packet<any>(*part, walks, PacketLanes::only(packet, some), meet);
     }
     meet(packet, accelerator, child, some);
   };
-  traverse_wide_packets(accelerator.tree(), walks, lanes, 0, leaf);
+  traverse_wide_packets<any>(accelerator.tree(), walks, lanes, 0, leaf);
 }
 
-template <class Meet>
+template <bool any, class Meet>
 HWY_NOINLINE void traverse_part_packet(const LazyPart& part, const PacketWalks& walks,
                                        const PacketLanes& lanes, Meet& meet) {
-  traverse_parts_packets(part.accelerator(), walks, lanes, meet);
+  traverse_parts_packets<any>(part.accelerator(), walks, lanes, meet);
 }
 
 }  // namespace bspview::HWY_NAMESPACE
