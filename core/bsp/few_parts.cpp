@@ -24,38 +24,48 @@ std::optional<Split> FewParts::find_split(const Place& place) const {
   return split;
 }
 
-/// Adds the two sides of a part; `outlines` has room for theirs.
-void FewParts::cut(const Part& part, const CellSplit& split, Outline* outlines,
-                   const Sides& to) const {
-  const auto add = [&](FewParts& side, const Aabb& box, const Outline* outline) {
-    if (!box.empty()) side.keep({few_box(box, part.box.tests()), part.object, outline});
-  };
-  Outline whole;
-  const bool has_outline = part.outline || find_outline(*job_, part.object, split.cell, whole);
-  if (has_outline &&
-      divide(*job_, part.outline ? *part.outline : whole, split, {outlines[0], outlines[1]})) {
-    add(to.left, box_of_part(*job_, outlines[0], part.object, split.cells.left), &outlines[0]);
-    add(to.right, box_of_part(*job_, outlines[1], part.object, split.cells.right), &outlines[1]);
-    return;
+/// Adds the two sides of a part; its outlines go on the pile of this.
+void FewParts::cut(const Part& part, const CellSplit& split, const Sides& to) {
+  if (!part.outline.empty()) return divide_outline(part, split, part.outline, to);
+  OutlineRooms rooms;
+  if (const auto whole = find_outline(*job_, part.object, split.cell, rooms)) {
+    return divide_outline(part, split, *whole, to);
   }
-  add(to.left, clipped_box(*job_, part.object, split.cells.left), nullptr);
-  add(to.right, clipped_box(*job_, part.object, split.cells.right), nullptr);
+  const auto add = [&](FewParts& side, const Aabb& cell) {
+    const Aabb box = clipped_box(*job_, part.object, cell);
+    if (!box.empty()) side.keep({few_box(box, part.box.tests()), part.object, {}});
+  };
+  add(to.left, split.cells.left);
+  add(to.right, split.cells.right);
+}
+
+void FewParts::divide_outline(const Part& part, const CellSplit& split, Outline whole,
+                              const Sides& to) {
+  // Of a polygon that is cut over and over where it is concave, the outline may grow.
+  const std::size_t most_corners = whole.size() + 8;
+  auto* const room = outlines_.take<OutlineCorner>(2 * outline_room(whole.size()));
+  OutlineSides sides;
+  divide(whole, part.box, {split.axis, split.position, job_->clip_margin}, room, sides);
+  const auto add = [&](FewParts& parts, const OutlineSide& side) {
+    if (side.outline.empty()) return;
+    const bool keeps = side.outline.size() <= most_corners;
+    parts.keep({{side.box}, part.object, keeps ? side.outline : Outline()});
+  };
+  add(to.left, sides.left);
+  add(to.right, sides.right);
 }
 
 FewParts FewParts::split(const CellSplit& split, ScratchStack& scratch) {
-  const std::size_t straddling = split.left + split.right - count_;
-  FewParts other(*job_, job_->clip ? 2 * straddling : 0, scratch);
+  FewParts other(*job_, scratch);
   FewParts& left = split.keeps_left() ? *this : other;
   FewParts& right = split.keeps_left() ? other : *this;
-  Outline* outlines = other.outlines_.data();
   const std::size_t count = std::exchange(count_, 0);
   for (std::size_t i = 0; i < count; ++i) {
     const Part here = part(i);
     const bool goes_left = here.box.lo[split.axis] <= split.position;
     const bool goes_right = here.box.hi[split.axis] >= split.position;
     if (job_->clip && goes_left && goes_right) {
-      cut(here, split, outlines, {left, right});
-      outlines += 2;
+      other.cut(here, split, {left, right});
       continue;
     }
     if (goes_left) left.keep(here);

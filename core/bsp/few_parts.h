@@ -17,9 +17,9 @@ class FewParts {
   static constexpr std::size_t most = most_few_parts;
 
   /// None yet.
-  FewParts(const BuildJob& job, ScratchStack& scratch) : FewParts(job, 0, scratch) {}
+  FewParts(const BuildJob& job, ScratchStack& scratch) : job_(&job), outlines_(scratch) {}
   void push(const Aabb& box, std::uint32_t object) {
-    keep({few_box(box, job_->tests_of(object)), object, nullptr});
+    keep({few_box(box, job_->tests_of(object)), object, {}});
   }
 
   std::size_t count() const { return count_; }
@@ -34,29 +34,35 @@ class FewParts {
   struct Part {
     FewBox box;
     std::uint32_t object;
-    const Outline* outline;  ///< null: not cut yet, or not to be cut by outline
+    Outline outline;  ///< empty: not cut yet, or not to be cut by outline
   };
 
-  FewParts(const BuildJob& job, std::size_t outlines, ScratchStack& scratch)
-      : job_(&job), outlines_(scratch, outlines) {}
+  /// As it is kept: without a constructor, which would run for all that there is room for.
+  struct Corners {
+    const OutlineCorner* first;
+    std::size_t count;
+  };
 
-  Part part(std::size_t i) const { return {boxes_[i], objects_[i], of_parts_[i]}; }
+  Part part(std::size_t i) const {
+    return {boxes_[i], objects_[i], {corners_[i].first, corners_[i].count}};
+  }
   void keep(const Part& part) {
     boxes_[count_] = part.box;
     objects_[count_] = part.object;
-    of_parts_[count_++] = part.outline;
+    corners_[count_++] = {part.outline.data(), part.outline.size()};
   }
   struct Sides {
     FewParts &left, &right;
   };
-  void cut(const Part& part, const CellSplit& split, Outline* outlines, const Sides& to) const;
+  void cut(const Part& part, const CellSplit& split, const Sides& to);
+  void divide_outline(const Part& part, const CellSplit& split, Outline whole, const Sides& to);
 
   const BuildJob* job_;
   std::size_t count_ = 0;
   std::array<FewBox, most> boxes_;
   std::array<std::uint32_t, most> objects_;
-  std::array<const Outline*, most> of_parts_;
-  ScratchStack::Array<Outline> outlines_;  // of the parts of both children of the parent
+  std::array<Corners, most> corners_;  // none: not cut yet
+  ScratchStack::Pile outlines_;        // of the parts of both children of the parent
 };
 
 }  // namespace bspview

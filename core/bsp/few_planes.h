@@ -3,21 +3,19 @@
 #include <span>
 
 #include "core/bsp/build_job.h"
+#include "core/shape/outline.h"
 
 namespace bspview {
 
 inline constexpr std::size_t most_few_parts = 32;
 
-/// A box whose axes are the lanes of a vector, and behind them what testing its object costs in
-/// units of the job's C_I.
-struct alignas(32) FewBox {
-  float lo[4], hi[4];
-
+/// A box, and in its fourth lanes what testing its object costs in units of the job's C_I.
+struct FewBox : LaneBox {
   float tests() const { return lo[3]; }
 };
 
 inline FewBox few_box(const Aabb& box, float tests) {
-  return {{box.lo.x, box.lo.y, box.lo.z, tests}, {box.hi.x, box.hi.y, box.hi.z, tests}};
+  return {lane_box(box, tests)};
 }
 
 /// The plane that the sweep over the events of at most most_few_parts boxes finds: the cheapest of

@@ -49,6 +49,30 @@ class ScratchStack {
     T* first_;
   };
 
+  /// Arrays on top of the stack that go back to it together when the pile dies. Nothing else may
+  /// lie between them.
+  class Pile {
+   public:
+    explicit Pile(ScratchStack& stack) : stack_(&stack), mark_(stack.top_) {}
+    Pile(Pile&& other) noexcept
+        : stack_(std::exchange(other.stack_, nullptr)), mark_(other.mark_) {}
+    ~Pile() {
+      if (stack_) stack_->top_ = mark_;
+    }
+    Pile& operator=(Pile&&) = delete;
+
+    /// Its elements start undefined.
+    template <class T>
+    T* take(std::size_t size) {
+      static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 16);
+      return static_cast<T*>(stack_->take(size * sizeof(T)));
+    }
+
+   private:
+    ScratchStack* stack_;
+    Mark mark_;
+  };
+
   ScratchStack() = default;
   ScratchStack(const ScratchStack&) = delete;
   ScratchStack& operator=(const ScratchStack&) = delete;

@@ -34,15 +34,16 @@ struct OutlineReach {
 };
 
 /// The part of an outline in `cell` that is in `child`, one of the two cells that a plane makes.
-[[nodiscard]] bool divide_into(const Aabb& cell, const Aabb& child, double margin, Outline& part) {
+Outline divide_into(const Aabb& cell, const Aabb& child, double margin, Outline part,
+                    OutlineRoom& room) {
   int axis = 0;
   while (cell.lo[axis] == child.lo[axis] && cell.hi[axis] == child.hi[axis]) ++axis;
   const bool goes_left = cell.lo[axis] == child.lo[axis];
-  Outline left, right;
-  const double plane = goes_left ? child.hi[axis] : child.lo[axis];
-  if (!divide(part, {axis, plane, margin}, {left, right})) return false;
-  part = goes_left ? left : right;
-  return true;
+  const float plane = goes_left ? child.hi[axis] : child.lo[axis];
+  OutlineSides sides;
+  divide(part, lane_box(box_of(part, margin)), {axis, plane, margin},
+         room.of(2 * outline_room(part.size())), sides);
+  return goes_left ? sides.left.outline : sides.right.outline;
 }
 
 /// One walk over the whole tree, with the objects whose boxes touch the present cell.
@@ -186,14 +187,16 @@ OutlineReach Walk::outlines_reach(std::uint32_t object) const {
   const Aabb& whole = input_.boxes[object];
   const double margin = outline_margin(tree_.box);
   for (std::size_t first = 0; first < path_.size(); ++first) {
-    Outline part;
-    bool is_known = find_outline(corners, whole, path_[first], margin, part);
-    for (std::size_t i = first; is_known; ++i) {
+    OutlineRooms found, divided;
+    OutlineRoom *room = &divided.first, *spare = &divided.second;
+    Outline part = find_outline(corners, whole, path_[first], margin, found);
+    for (std::size_t i = first;; ++i) {
       const bool reaches = overlap(intersection(box_of(part, margin), whole), path_.back());
       reach.some |= reaches;
       reach.all &= reaches;
       if (i + 1 == path_.size()) break;
-      is_known = divide_into(path_[i], path_[i + 1], margin, part);
+      part = divide_into(path_[i], path_[i + 1], margin, part, *room);
+      std::swap(room, spare);
     }
   }
   return reach;

@@ -1,48 +1,94 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 
+#include "core/base/raw_vector.h"
 #include "core/math/aabb.h"
 
 namespace bspview {
 
-/// The part of a polygon in a cell, in double, while cell after cell is cut in two. Of a concave
-/// polygon it is one outline, too, with edges to and fro along the cuts between what lies apart.
-struct Outline {
-  /// Enough for a triangle in a cell, which has nine corners, and what rounding can add.
-  static constexpr std::size_t most_corners = 12;
+/// In double, in the lanes of a vector; the last one is 0.
+using OutlineCorner = std::array<double, 4>;
 
-  /// In the lanes of a vector; the last one is 0.
-  using Corner = std::array<double, 4>;
+/// The part of a polygon in a cell while cell after cell is cut in two; no corners where nothing is
+/// left. Of a concave polygon it is one outline, too, with edges to and fro along the cuts between
+/// what lies apart.
+using Outline = std::span<const OutlineCorner>;
 
-  std::size_t size = 0;
-  /// A corner is written before it is known whether it is kept: two more than counted.
-  alignas(16) std::array<Corner, most_corners + 2> corners;
+/// A box in the lanes of vectors. The fourth ones are others': lo[3] is handed down, hi[3] is not.
+struct alignas(32) LaneBox {
+  float lo[4], hi[4];
 };
+inline LaneBox lane_box(const Aabb& box, float tests = 0.0f) {
+  return {{box.lo.x, box.lo.y, box.lo.z, tests}, {box.hi.x, box.hi.y, box.hi.z, tests}};
+}
 
 /// How much farther than asked for outlines and their boxes reach, so that an outline is empty only
 /// where the polygon is not, and its box holds the part. All polygons and cells lie within `box`; a
 /// cut is off by less than 2^-50 of the largest coordinate, and there are fewer than 72.
 double outline_margin(const Aabb& box);
 
-/// The part of a polygon with box `whole` in `cell`; false when it has too many corners.
-[[nodiscard]] bool find_outline(std::span<const Vec3> polygon, const Aabb& whole, const Aabb& cell,
-                                double margin, Outline& part);
+/// Corners that an outline of `corners` has on one side of a plane, at most, and one that is
+/// written before it is known whether it is kept: each edge at an end of every second corner
+/// crosses it.
+constexpr std::size_t outline_room(std::size_t corners) {
+  return corners + corners / 2 + 1;
+}
+
+/// Where outlines are found; few corners need no heap.
+class OutlineRoom {
+ public:
+  OutlineRoom() {}  // the corners stay undefined
+
+  /// Of so many corners; what was there is lost.
+  OutlineCorner* of(std::size_t corners) {
+    if (corners <= few_.size()) return few_.data();
+    many_.resize(corners);
+    return many_.data();
+  }
+
+ private:
+  std::array<OutlineCorner, 24> few_;
+  RawVector<OutlineCorner> many_;
+};
+struct OutlineRooms {
+  OutlineRoom first, second;
+};
+
+/// The part of a polygon with box `whole` in `cell`; it lies in one of the rooms.
+[[nodiscard]] Outline find_outline(std::span<const Vec3> polygon, const Aabb& whole,
+                                   const Aabb& cell, double margin, OutlineRooms& rooms);
 
 /// A plane across an axis, and the margin of outlines.
 struct OutlineCut {
   int axis;
-  double position, margin;
+  float position;
+  double margin;
 };
 
-/// The parts of an outline on both sides of a plane; false when one has too many corners.
-struct OutlineSides {
-  Outline &left, &right;
+/// The part of an outline on one side of a plane, and its box: rounded outwards, with the margin,
+/// within that of the whole outline. Where the box is empty, so is the outline.
+struct OutlineSide {
+  Outline outline;
+  LaneBox box;
 };
-[[nodiscard]] bool divide(const Outline& part, const OutlineCut& cut, const OutlineSides& sides);
+struct OutlineSides {
+  OutlineSide left, right;
+};
+inline Aabb box_of(const OutlineSide& side) {
+  const LaneBox& box = side.box;
+  if (side.outline.empty()) return {};
+  return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
+}
+
+/// Divides an outline within `box`. The sides lie in `to`, where there is room for
+/// 2 outline_room(part.size()).
+void divide(Outline part, const LaneBox& box, const OutlineCut& cut, OutlineCorner* to,
+            OutlineSides& sides);
 
 /// Rounded outwards, with the margin; empty for an empty outline.
-Aabb box_of(const Outline& part, double margin);
+Aabb box_of(Outline part, double margin);
 
 }  // namespace bspview

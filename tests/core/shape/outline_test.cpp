@@ -21,23 +21,51 @@ Aabb grown(const Aabb& box, float margin) {
 const Aabb cube{Vec3(-1.0f), Vec3(1.0f)};
 const double margin = outline_margin(cube);
 
+/// An outline that is divided again and again.
+class DividedOutline {
+ public:
+  DividedOutline(std::span<const Vec3> polygon, const Aabb& cell)
+      : part_(find_outline(polygon, box_around(polygon), cell, margin, found_)) {}
+
+  Outline part() const { return part_; }
+  Aabb box() const { return box_of(part_, margin); }
+
+  OutlineSides sides(int axis, float plane) {
+    OutlineSides sides;
+    const std::size_t corners = 2 * outline_room(part_.size());
+    divide(part_, lane_box(box()), {axis, plane, margin}, rooms_[turn_].of(corners), sides);
+    turn_ = 1 - turn_;
+    return sides;
+  }
+
+  /// Goes to one side of a random plane across the cell, which becomes that side.
+  void go_down(test::Random& random, Aabb& cell) {
+    const int axis = random.below(3);
+    const float plane = cell.lo[axis] + random.unit() * (cell.hi[axis] - cell.lo[axis]);
+    const OutlineSides both = sides(axis, plane);
+    const bool go_left = random.below(2) == 0;
+    (go_left ? cell.hi : cell.lo)[axis] = plane;
+    part_ = (go_left ? both.left : both.right).outline;
+  }
+
+ private:
+  OutlineRooms found_;
+  std::array<OutlineRoom, 2> rooms_;
+  std::size_t turn_ = 0;
+  Outline part_;
+};
+
 // Down a random path of cells, the outline stays what clipping the whole polygon gives.
 TEST(Outline, CutAgainAndAgainIsTheClippedPolygon) {
   test::Random random(1);
   int kept = 0;
   for (int trial = 0; trial < 3000; ++trial) {
     const std::array<Vec3, 3> corners{random.point(1), random.point(1), random.point(1)};
-    Outline part, left, right;
-    ASSERT_TRUE(find_outline(corners, box_around(corners), cube, margin, part));
+    DividedOutline outline(corners, cube);
     Aabb cell = cube;
-    for (int depth = 0; depth < 30 && part.size > 0; ++depth, ++kept) {
-      const int axis = random.below(3);
-      const float plane = cell.lo[axis] + random.unit() * (cell.hi[axis] - cell.lo[axis]);
-      ASSERT_TRUE(divide(part, {axis, plane, margin}, {left, right}));
-      const bool go_left = random.below(2) == 0;
-      (go_left ? cell.hi : cell.lo)[axis] = plane;
-      part = go_left ? left : right;
-      const Aabb box = intersection(box_of(part, margin), cell);
+    for (int depth = 0; depth < 30 && !outline.part().empty(); ++depth, ++kept) {
+      outline.go_down(random, cell);
+      const Aabb box = intersection(outline.box(), cell);
       const Aabb expected = clip_polygon(corners, cell);
       ASSERT_TRUE(expected.empty() || box.contains(expected)) << trial << " at " << depth;
       ASSERT_TRUE(box.empty() || grown(expected, 1e-6f).contains(box)) << trial << " at " << depth;
@@ -52,9 +80,8 @@ TEST(Outline, OfAPartIsTheClippedPolygon) {
     const std::array<Vec3, 3> corners{random.point(1), random.point(1), random.point(1)};
     const Vec3 lo = random.point(0.7f);
     const Aabb cell{lo, lo + Vec3(0.3f)};
-    Outline part;
-    ASSERT_TRUE(find_outline(corners, box_around(corners), cell, margin, part));
-    const Aabb box = intersection(box_of(part, margin), intersection(cell, box_around(corners)));
+    const Aabb whole = box_around(corners);
+    const Aabb box = intersection(DividedOutline(corners, cell).box(), intersection(cell, whole));
     const Aabb expected = clip_polygon(corners, cell);
     ASSERT_TRUE(expected.empty() || box.contains(expected)) << trial;
     ASSERT_TRUE(box.empty() || grown(expected, 1e-6f).contains(box)) << trial;
@@ -89,17 +116,11 @@ TEST(Outline, OfAConcavePolygonHoldsEveryPointOfIt) {
   int seen = 0;
   for (int trial = 0; trial < 1000; ++trial) {
     const Star star = random_star(random);
-    Outline part, left, right;
-    ASSERT_TRUE(find_outline(star.corners, box_around(star.corners), cube, margin, part));
+    DividedOutline outline(star.corners, cube);
     Aabb cell = cube;
     for (int depth = 0; depth < 12; ++depth) {
-      const int axis = random.below(3);
-      const float plane = cell.lo[axis] + random.unit() * (cell.hi[axis] - cell.lo[axis]);
-      if (!divide(part, {axis, plane, margin}, {left, right})) break;
-      const bool go_left = random.below(2) == 0;
-      (go_left ? cell.hi : cell.lo)[axis] = plane;
-      part = go_left ? left : right;
-      const Aabb box = grown(box_of(part, margin), 1e-6f);
+      outline.go_down(random, cell);
+      const Aabb box = grown(outline.box(), 1e-6f);
       for (const Vec3 point : star.points) {
         if (!grown(cell, -1e-6f).contains(point)) continue;
         ASSERT_TRUE(box.contains(point)) << trial << " at " << depth;
@@ -112,30 +133,71 @@ TEST(Outline, OfAConcavePolygonHoldsEveryPointOfIt) {
 
 TEST(Outline, WhatOnlyTouchesThePlaneIsOnBothSides) {
   const std::array<Vec3, 3> corners{Vec3{0, 0, 0}, Vec3{0.5f, 0, 0}, Vec3{0, 0.5f, 0}};
-  Outline whole, left, right;
-  ASSERT_TRUE(find_outline(corners, box_around(corners), cube, margin, whole));
-  ASSERT_TRUE(divide(whole, {0, 0.5, margin}, {left, right}));
-  EXPECT_GT(left.size, 0u);
-  EXPECT_GT(right.size, 0u);
-  ASSERT_TRUE(divide(whole, {2, 0.0, margin}, {left, right}));  // lies in the plane
-  EXPECT_EQ(left.size, 3u);
-  EXPECT_EQ(right.size, 3u);
-  ASSERT_TRUE(divide(whole, {1, -0.1, margin}, {left, right}));
-  EXPECT_EQ(left.size, 0u);
-  EXPECT_TRUE(box_of(left, margin).empty());
+  DividedOutline outline(corners, cube);
+  OutlineSides sides = outline.sides(0, 0.5f);
+  EXPECT_FALSE(sides.left.outline.empty());
+  EXPECT_FALSE(sides.right.outline.empty());
+  sides = outline.sides(2, 0.0f);  // lies in the plane
+  EXPECT_EQ(sides.left.outline.size(), 3u);
+  EXPECT_EQ(sides.right.outline.size(), 3u);
+  sides = outline.sides(1, -0.1f);
+  EXPECT_TRUE(sides.left.outline.empty());
+  EXPECT_TRUE(box_of(sides.left).empty());
 }
 
-TEST(Outline, ManyCornersAreHeldOnlyWhereFewAreLeft) {
+TEST(Outline, BoxesOfSidesEndAtThePlaneAndWithinTheWhole) {
+  test::Random random(4);
+  for (int trial = 0; trial < 3000; ++trial) {
+    const std::array<Vec3, 3> corners{random.point(1), random.point(1), random.point(1)};
+    DividedOutline outline(corners, cube);
+    const Aabb whole = outline.box();
+    const int axis = random.below(3);
+    const float plane = whole.lo[axis] + random.unit() * (whole.hi[axis] - whole.lo[axis]);
+    const OutlineSides sides = outline.sides(axis, plane);
+    ASSERT_TRUE(whole.contains(box_of(sides.left)) && whole.contains(box_of(sides.right)));
+    ASSERT_EQ(box_of(sides.left).hi[axis], plane) << trial;
+    ASSERT_EQ(box_of(sides.right).lo[axis], plane) << trial;
+  }
+}
+
+TEST(Outline, OfManyCornersIsTheClippedPolygon) {
+  test::Random random(5);
   std::vector<Vec3> circle;
   for (int i = 0; i < 144; ++i) {
     const float angle = static_cast<float>(i) * 6.2831853f / 144.0f;
-    circle.push_back({std::cos(angle), std::sin(angle), 0.5f});
+    circle.push_back({std::cos(angle), std::sin(angle), 0.5f * std::cos(angle)});
   }
-  Outline part;
-  EXPECT_FALSE(find_outline(circle, box_around(circle), cube, margin, part));
-  const Aabb corner{{0.7f, 0.7f, 0.0f}, Vec3(1.0f)};
-  ASSERT_TRUE(find_outline(circle, box_around(circle), corner, margin, part));
-  EXPECT_GT(part.size, 3u);
+  int kept = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    DividedOutline outline(circle, cube);
+    EXPECT_EQ(outline.part().size(), circle.size());
+    Aabb cell = cube;
+    for (int depth = 0; depth < 20 && !outline.part().empty(); ++depth, ++kept) {
+      outline.go_down(random, cell);
+      const Aabb expected = clip_polygon(circle, cell);
+      const Aabb divided = intersection(outline.box(), cell);
+      const Aabb found = intersection(DividedOutline(circle, cell).box(), cell);
+      for (const Aabb& box : {divided, found}) {
+        ASSERT_TRUE(expected.empty() || box.contains(expected)) << trial << " at " << depth;
+        ASSERT_TRUE(box.empty() || grown(expected, 1e-6f).contains(box)) << trial << " " << depth;
+      }
+    }
+  }
+  EXPECT_GT(kept, 2'000);
+}
+
+// Every tooth is cut off from the others: as many crossings as there can be.
+TEST(Outline, OfAComb) {
+  std::vector<Vec3> comb;
+  for (int tooth = 0; tooth < 50; ++tooth) {
+    const float x = static_cast<float>(tooth) / 50.0f;
+    comb.insert(comb.end(), {{x, -1, 0}, {x + 0.01f, 1, 0}});
+  }
+  DividedOutline outline(comb, cube);
+  const OutlineSides sides = outline.sides(1, 0.0f);
+  EXPECT_EQ(sides.left.outline.size(), 150u);
+  EXPECT_EQ(sides.right.outline.size(), 150u);
+  EXPECT_EQ(DividedOutline(comb, {Vec3(-1.0f), {1, 0, 1}}).part().size(), 150u);
 }
 
 }  // namespace
