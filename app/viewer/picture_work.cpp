@@ -66,7 +66,10 @@ Result<void> PictureWork::operator()(const PictureRequest& request, std::stop_to
   const bool only_count = kept && kept->pixels_final;
   if (only_count) params.samples = 1;
   const Picture* before = nullptr;
-  render_progressive(request.tree->fast_world(stop), request.camera, params, stop, [&](const Frame& frame) {
+  const ProgressiveWorlds worlds{.counted = request.tree->world(),
+                                 .fast = [&] { return request.tree->fast_world(stop); },
+                                 .looks_first = kept != nullptr};
+  render_progressive(worlds, request.camera, params, stop, [&](const Frame& frame) {
     std::shared_ptr<Picture> picture = to_picture(frame, before);
     picture->request = request;
     if (kept && (only_count || kept->pixels_pass >= frame.pass))

@@ -56,8 +56,8 @@ struct BuiltTree {
   NodeCells cells;  // of `tree`
 
   World world() const { return {request.scene->scene, tree}; }
-  /// With an accelerator, which the first call makes: pictures need it, slider moves do not. Where
-  /// that is stopped, or memory is short, without.
+  /// With an accelerator, which the first call makes: pictures of many samples need it, slider
+  /// moves do not. Where that is stopped, or memory is short, without.
   World fast_world(std::stop_token stop) const;
 
  private:

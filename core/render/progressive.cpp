@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/base/timer.h"
 #include "core/render/adaptive.h"
@@ -14,9 +15,9 @@ constexpr std::array<int, 4> strides{8, 4, 2, 1};
 /// A progressive picture at work.
 class Progress {
  public:
-  Progress(const World& world, const Camera& camera, const RenderParams& params,
+  Progress(const ProgressiveWorlds& worlds, const Camera& camera, const RenderParams& params,
            std::stop_token stop)
-      : world_(world),
+      : worlds_(worlds),
         params_(params),
         stop_(stop),
         eye_(camera, params.width, params.height),
@@ -25,11 +26,27 @@ class Progress {
     const std::size_t pixels = static_cast<std::size_t>(params.width) * params.height;
     frame_.width = params.width;
     frame_.height = params.height;
-    frame_.color.assign(pixels, world.scene.background);
+    frame_.color.assign(pixels, worlds.counted.scene.background);
     frame_.distance.assign(pixels, std::numeric_limits<float>::infinity());
     frame_.object.assign(pixels, no_index);
     frame_.leaf.assign(pixels, no_leaf);
     frame_.pass_count = static_cast<int>(strides.size() + offsets_.size()) - 1;
+  }
+
+  /// What the eye rays of the first pass hit; false when it was stopped.
+  bool look() {
+    const TraceRules rules = trace_rules(params_);
+    for_each_tile(params_.width, params_.height, stop_, [&](const Tile& tile, int) {
+      NoObserver none;
+      for (int y = tile.y0; y < tile.y1; y += strides[0]) {
+        for (int x = tile.x0; x < tile.x1; x += strides[0]) {
+          const Ray ray = sample_ray(eye_, x, y, offsets_[0]);
+          set_hit(index(x, y), trace_closest(worlds_.counted, ray, rules, none));
+          spread(tile, x, y, strides[0]);
+        }
+      }
+    });
+    return !stop_.stop_requested();
   }
 
   /// Pass number frame().pass; false when it was stopped.
@@ -59,8 +76,8 @@ class Progress {
     std::vector<RayCounts> counts(
         static_cast<std::size_t>(tile_count(params_.width, params_.height)));
     for_each_tile(params_.width, params_.height, stop_, [&](const Tile& tile, int number) {
-      CountTracer tracer(world_, trace_rules(params_));
-      Shader shader(world_.scene, params_, tracer);
+      CountTracer tracer(worlds_.counted, trace_rules(params_));
+      Shader shader(worlds_.counted.scene, params_, tracer);
       for (int y = tile.y0; y < tile.y1; y += stride) {
         for (int x = tile.x0; x < tile.x1; x += stride) {
           const bool done = done_stride > 0 && x % done_stride == 0 && y % done_stride == 0;
@@ -79,6 +96,10 @@ class Progress {
     const Ray ray = sample_ray(eye_, x, y, offsets_[0]);
     shader.trace({&ray, 1}, {&hit, 1}, {&frame_.color[i], 1});
     samples_.add(i, frame_.color[i]);
+    set_hit(i, hit);
+  }
+
+  void set_hit(std::size_t i, const Hit& hit) {
     frame_.distance[i] = static_cast<float>(hit.t);
     frame_.object[i] = hit.object;
     frame_.leaf[i] = hit.leaf;
@@ -100,10 +121,11 @@ class Progress {
 
   /// Sample number `sample` in every pixel that lives.
   void add_sample(std::size_t sample) {
+    if (!fast_world_) fast_world_.emplace(worlds_.fast ? worlds_.fast() : worlds_.counted);
     for_each_tile(params_.width, params_.height, stop_, [&](const Tile& tile, int number) {
       if (!samples_.any_lives_in(number)) return;
-      PlainTracer tracer(world_, trace_rules(params_));
-      Shader shader(world_.scene, params_, tracer);
+      PlainTracer tracer(*fast_world_, trace_rules(params_));
+      Shader shader(fast_world_->scene, params_, tracer);
       EyeRays rays;
       for_each_pixel(tile, [&](int x, int y) {
         const std::size_t i = index(x, y);
@@ -117,7 +139,8 @@ class Progress {
     if ((sample + 1) % judged_samples == 0) samples_.judge(stop_);
   }
 
-  World world_;
+  const ProgressiveWorlds& worlds_;
+  std::optional<World> fast_world_;
   RenderParams params_;
   std::stop_token stop_;
   PrimaryRays eye_;
@@ -129,11 +152,16 @@ class Progress {
 
 }  // namespace
 
-void render_progressive(const World& world, const Camera& camera, const RenderParams& params,
-                        std::stop_token stop, const std::function<void(const Frame&)>& publish) {
+void render_progressive(const ProgressiveWorlds& worlds, const Camera& camera,
+                        const RenderParams& params, std::stop_token stop,
+                        const std::function<void(const Frame&)>& publish) {
   if (params.width <= 0 || params.height <= 0) return;
   with_threads(params.threads, [&] {
-    Progress progress(world, camera, params, stop);
+    Progress progress(worlds, camera, params, stop);
+    if (worlds.looks_first) {
+      if (!progress.look()) return;
+      publish(progress.frame());
+    }
     while (progress.frame().pass < progress.frame().pass_count) {
       if (!progress.run_pass()) return;
       publish(progress.frame());

@@ -84,12 +84,29 @@ struct Frame {
   bool counted = false;               ///< that pass is done: counts are those of one ray a pixel
 };
 
+/// What a progressive picture is traced against. Passes that count walk the binary tree of
+/// `counted`; those after them go through what `fast` answers, which is asked once, before the
+/// first of them. Null: through `counted`.
+struct ProgressiveWorlds {
+  World counted;
+  std::function<World()> fast = nullptr;
+  /// First of all comes a frame of pass 0: what the eye rays of the first pass hit, with no
+  /// colours.
+  bool looks_first = false;
+};
+
 /// Passes with a ray in every 8th, 4th, 2nd and every pixel in both directions, then one more
 /// sample in every pass, in every pixel that lives, until params.samples. Calls publish(frame)
 /// after each pass, on the calling thread; returns when converged or when `stop` is requested
 /// (polled per tile). The converged picture is that of render_image.
-void render_progressive(const World& world, const Camera& camera, const RenderParams& params,
-                        std::stop_token stop, const std::function<void(const Frame&)>& publish);
+void render_progressive(const ProgressiveWorlds& worlds, const Camera& camera,
+                        const RenderParams& params, std::stop_token stop,
+                        const std::function<void(const Frame&)>& publish);
+inline void render_progressive(const World& world, const Camera& camera, const RenderParams& params,
+                               std::stop_token stop,
+                               const std::function<void(const Frame&)>& publish) {
+  render_progressive(ProgressiveWorlds{world}, camera, params, std::move(stop), publish);
+}
 
 /// One ray of the tree of rays behind a pixel.
 struct PathRay {

@@ -3,8 +3,10 @@
 namespace bspview {
 namespace {
 
-std::vector<std::uint8_t> node_depths(const Tree& tree) {
+/// Of all nodes; zeros where the filter takes leaves of every depth.
+std::vector<std::uint8_t> depths_for(const LeafFilter& filter, const Tree& tree) {
   std::vector<std::uint8_t> depths(tree.nodes.size(), 0);
+  if (filter.min_depth <= 0 && filter.max_depth >= tree.max_depth) return depths;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const Node& node = tree.nodes[i];
     if (node.is_leaf()) continue;
@@ -33,7 +35,7 @@ void fill_inner(const Tree& tree, LeafMask& mask) {
 }  // namespace
 
 LeafMask filter_leaves(const Tree& tree, const LeafFilter& filter) {
-  const std::vector<std::uint8_t> depths = node_depths(tree);
+  const std::vector<std::uint8_t> depths = depths_for(filter, tree);
   LeafMask mask(tree.nodes.size(), Shown::none);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const Node& node = tree.nodes[i];
@@ -45,7 +47,7 @@ LeafMask filter_leaves(const Tree& tree, const LeafFilter& filter) {
 
 LeafMask choose_leaves(const Tree& tree, const LeafFilter& filter,
                        std::span<const std::uint32_t> nodes) {
-  const std::vector<std::uint8_t> depths = node_depths(tree);
+  const std::vector<std::uint8_t> depths = depths_for(filter, tree);
   LeafMask mask(tree.nodes.size(), Shown::none);
   for (const std::uint32_t i : nodes) {
     if (i >= tree.nodes.size() || !tree.nodes[i].is_leaf()) continue;

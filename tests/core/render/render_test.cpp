@@ -118,6 +118,31 @@ TEST(Render, CountsOfAProgressivePictureAreThoseOfOneRayAPixel) {
   });
 }
 
+TEST(Render, AProgressivePictureCanLookFirst) {
+  const Built built = random_world(200, 45);
+  RenderParams params = small_picture();
+  params.samples = 4;
+  std::vector<Frame> frames;
+  int asked = 0;
+  const auto fast = [&] {
+    EXPECT_TRUE(frames.back().counted) << "before it is needed";
+    ++asked;
+    return built.world();
+  };
+  render_progressive({.counted = built.world(), .fast = fast, .looks_first = true},
+                     built.scene.camera, params, {},
+                     [&](const Frame& frame) { frames.push_back(frame); });
+  ASSERT_EQ(frames.size(), 8u);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(frames[0].pass, 0);
+  EXPECT_FALSE(frames[0].counted);
+  EXPECT_EQ(frames[0].counts, RayCounts());
+  EXPECT_EQ(frames[0].leaf, frames[1].leaf);
+  EXPECT_EQ(frames[0].distance, frames[1].distance);
+  const auto whole = render_counted(built.world(), built.scene.camera, params);
+  EXPECT_EQ(frames.back().color, whole->image.pixels);
+}
+
 TEST(Render, EveryPassOfAProgressivePictureFillsEveryPixel) {
   Built built = random_world(200, 46);
   built.scene.background = Vec3(-1.0f);  // a colour that nothing else has
