@@ -22,11 +22,12 @@ SideBoxes clip_sides(const BuildJob& job, std::uint32_t object, const CellSplit&
             clipped_box(job, object, split.cells.right)};
   }
   OutlineRoom room;
-  OutlineSides sides;
-  divide(*whole, lane_box(intersection(job.input.boxes[object], split.cell)),
-         {split.axis, split.position, job.clip_margin}, room.of(2 * outline_room(whole->size())),
-         sides);
-  return {box_of(sides.left), box_of(sides.right)};
+  LaneBox left, right;
+  const OutlineSides sides =
+      divide(*whole, lane_box(intersection(job.input.boxes[object], split.cell)),
+             {split.axis, split.position, job.clip_margin},
+             room.of(2 * outline_room(whole->size())), {left, right});
+  return {sides.left.empty() ? Aabb() : aabb(left), sides.right.empty() ? Aabb() : aabb(right)};
 }
 
 }  // namespace bspview

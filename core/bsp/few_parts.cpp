@@ -15,13 +15,14 @@ double FewParts::tests() const {
 }
 
 std::optional<Split> FewParts::find_split(const Place& place) const {
-  Split split = cheapest_of_few(*job_, std::span(boxes_).first(count_), place.cell);
+  const Split split = cheapest_of_few(*job_, std::span(boxes_).first(count_), place.cell);
   if (!std::isfinite(split.cost)) return {};
+  std::uint32_t left = 0, right = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    split.left += boxes_[i].lo[split.axis] <= split.position;
-    split.right += boxes_[i].hi[split.axis] >= split.position;
+    left += boxes_[i].lo[split.axis] <= split.position;
+    right += boxes_[i].hi[split.axis] >= split.position;
   }
-  return split;
+  return Split{split.axis, split.position, left, right, split.cost};
 }
 
 /// Adds the two sides of a part; its outlines go on the pile of this.
@@ -41,15 +42,17 @@ void FewParts::cut(const Part& part, const CellSplit& split, const Sides& to) {
 
 void FewParts::divide_outline(const Part& part, const CellSplit& split, Outline whole,
                               const Sides& to) {
+  auto* const room = outlines_.take<OutlineCorner>(2 * outline_room(whole.size()));
+  const OutlineSides sides =
+      divide(whole, part.box, {split.axis, split.position, job_->clip_margin}, room,
+             {to.left.boxes_[to.left.count_], to.right.boxes_[to.right.count_]});
   // Of a polygon that is cut over and over where it is concave, the outline may grow.
   const std::size_t most_corners = whole.size() + 8;
-  auto* const room = outlines_.take<OutlineCorner>(2 * outline_room(whole.size()));
-  OutlineSides sides;
-  divide(whole, part.box, {split.axis, split.position, job_->clip_margin}, room, sides);
-  const auto add = [&](FewParts& parts, const OutlineSide& side) {
-    if (side.outline.empty()) return;
-    const bool keeps = side.outline.size() <= most_corners;
-    parts.keep({{side.box}, part.object, keeps ? side.outline : Outline()});
+  const auto add = [&](FewParts& parts, Outline side) {
+    const std::size_t kept = side.size() <= most_corners ? side.size() : 0;
+    parts.objects_[parts.count_] = part.object;
+    parts.corners_[parts.count_] = {side.data(), kept};
+    parts.count_ += !side.empty();
   };
   add(to.left, sides.left);
   add(to.right, sides.right);
@@ -66,10 +69,10 @@ FewParts FewParts::split(const CellSplit& split, ScratchStack& scratch) {
     const bool goes_right = here.box.hi[split.axis] >= split.position;
     if (job_->clip && goes_left && goes_right) {
       other.cut(here, split, {left, right});
-      continue;
+    } else {
+      left.keep_if(goes_left, here);
+      right.keep_if(goes_right, here);
     }
-    if (goes_left) left.keep(here);
-    if (goes_right) right.keep(here);
   }
   return other;
 }

@@ -46,10 +46,13 @@ class FewParts {
   Part part(std::size_t i) const {
     return {boxes_[i], objects_[i], {corners_[i].first, corners_[i].count}};
   }
-  void keep(const Part& part) {
+  void keep(const Part& part) { keep_if(true, part); }
+  /// There is room for one, kept or not.
+  void keep_if(bool kept, const Part& part) {
     boxes_[count_] = part.box;
     objects_[count_] = part.object;
-    corners_[count_++] = {part.outline.data(), part.outline.size()};
+    corners_[count_] = {part.outline.data(), part.outline.size()};
+    count_ += kept;
   }
   struct Sides {
     FewParts &left, &right;
@@ -59,10 +62,10 @@ class FewParts {
 
   const BuildJob* job_;
   std::size_t count_ = 0;
-  std::array<FewBox, most> boxes_;
-  std::array<std::uint32_t, most> objects_;
-  std::array<Corners, most> corners_;  // none: not cut yet
-  ScratchStack::Pile outlines_;        // of the parts of both children of the parent
+  std::array<FewBox, most + 1> boxes_;
+  std::array<std::uint32_t, most + 1> objects_;
+  std::array<Corners, most + 1> corners_;  // none: not cut yet
+  ScratchStack::Pile outlines_;            // of the parts of both children of the parent
 };
 
 }  // namespace bspview

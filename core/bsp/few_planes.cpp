@@ -33,24 +33,28 @@ struct alignas(32) AxisCosts {
 struct alignas(32) Planes {
   static constexpr std::size_t most = (2 * most_few_parts + 2) * axis_lanes;
 
-  double cost[most];
   float position[most];
   float left[most], right[most];
 };
 
+/// One number an axis, and 0, in the lanes from `lane` on. Through memory it would take longer.
+HWY_INLINE DoubleV by_axis(const Vec3d& numbers, std::size_t lane) {
+  const DoubleV index = hn::Iota(doubles, static_cast<double>(lane));
+  const auto is = [&](double axis) { return hn::Eq(index, hn::Set(doubles, axis)); };
+  const DoubleV z = hn::IfThenElseZero(is(2.0), hn::Set(doubles, numbers.z));
+  const DoubleV y = hn::IfThenElse(is(1.0), hn::Set(doubles, numbers.y), z);
+  return hn::IfThenElse(is(0.0), hn::Set(doubles, numbers.x), y);
+}
+
 /// As SplitCost and PlaneRange; the fourth lane has no room for planes.
 HWY_INLINE void find_axis_costs(const BuildJob& job, const Aabb& cell, AxisCosts& costs) {
-  const Vec3d d = Vec3d(cell.hi) - Vec3d(cell.lo);
+  const Vec3d from(cell.lo), to(cell.hi), d = to - from;
   const double area = d.x * d.y + d.y * d.z + d.z * d.x;
-  alignas(32) const double los[axis_lanes] = {cell.lo.x, cell.lo.y, cell.lo.z, 1.0};
-  alignas(32) const double his[axis_lanes] = {cell.hi.x, cell.hi.y, cell.hi.z, 0.0};
-  alignas(32) const double us[axis_lanes] = {d.y, d.z, d.x, 0.0};
-  alignas(32) const double vs[axis_lanes] = {d.z, d.x, d.y, 0.0};
   const DoubleV intersection = hn::Set(doubles, job.costs.intersection);
   const DoubleV areas = hn::Set(doubles, area), width = hn::Set(doubles, job.min_width);
   for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
-    const DoubleV lo = hn::Load(doubles, los + lane), hi = hn::Load(doubles, his + lane);
-    const DoubleV u = hn::Load(doubles, us + lane), v = hn::Load(doubles, vs + lane);
+    const DoubleV lo = by_axis(from, lane), hi = by_axis(to, lane);
+    const DoubleV u = by_axis({d.y, d.z, d.x}, lane), v = by_axis({d.z, d.x, d.y}, lane);
     hn::Store(lo, doubles, costs.lo + lane);
     hn::Store(hi, doubles, costs.hi + lane);
     hn::Store(hn::Div(hn::Mul(hn::Mul(intersection, u), v), areas), doubles, costs.caps + lane);
@@ -67,7 +71,8 @@ HWY_INLINE void find_axis_costs(const BuildJob& job, const Aabb& cell, AxisCosts
 }
 
 /// The last ones are the first and the last plane for which there is room.
-HWY_INLINE void place_planes(std::span<const FewBox> boxes, const AxisCosts& costs,
+template <std::size_t extent>
+HWY_INLINE void place_planes(std::span<const FewBox, extent> boxes, const AxisCosts& costs,
                              float* positions) {
   alignas(32) static constexpr std::int32_t outwards[2 * axis_lanes] = {-1, -1, -1, -1, 1, 1, 1, 1};
   for (const FewBox& box : boxes) {
@@ -84,7 +89,9 @@ HWY_INLINE void place_planes(std::span<const FewBox> boxes, const AxisCosts& cos
   }
 }
 
-HWY_INLINE void add_up_sides(std::span<const FewBox> boxes, Planes& planes, std::size_t count) {
+template <std::size_t extent>
+HWY_INLINE void add_up_sides(std::span<const FewBox, extent> boxes, Planes& planes,
+                             std::size_t count) {
   for (std::size_t plane = 0; plane < count; plane += hn::Lanes(floats)) {
     const FloatV position = hn::Load(floats, planes.position + plane);
     FloatV left = hn::Zero(floats), right = hn::Zero(floats);
@@ -106,29 +113,24 @@ struct alignas(32) AxisBests {
   double cost[axis_lanes], position[axis_lanes];
 };
 
-/// The planes of some axes, from `lane` on.
-struct AxisPlanes {
-  Planes& planes;
-  std::size_t lane, count;
-};
-
-/// Writes costs as those of SplitCost, infinite where there is no room; the result is the least.
-HWY_INLINE DoubleV find_costs(const CostModel& model, const AxisCosts& costs,
-                              const AxisPlanes& some) {
-  const auto [planes, lane, count] = some;
+/// Of the planes of the axes from `lane` on. Costs are those of SplitCost, infinite where there is
+/// no room.
+HWY_INLINE void find_bests(const CostModel& model, const AxisCosts& costs, const Planes& planes,
+                           std::size_t count, std::size_t lane, AxisBests& bests) {
   const auto load = [&](const double* each) { return hn::Load(doubles, each + lane); };
+  const auto load_wide = [&](const float* each) {
+    return hn::PromoteTo(doubles, hn::Load(narrow, each + lane));
+  };
   const DoubleV lo = load(costs.lo), hi = load(costs.hi);
   const DoubleV caps = load(costs.caps), rim = load(costs.rim);
-  const DoubleV first = hn::PromoteTo(doubles, hn::Load(narrow, costs.first + lane));
-  const DoubleV last = hn::PromoteTo(doubles, hn::Load(narrow, costs.last + lane));
+  const DoubleV first = load_wide(costs.first), last = load_wide(costs.last);
   const DoubleV traversal = hn::Set(doubles, model.traversal);
   const DoubleV empty_factor = hn::Set(doubles, model.empty_factor);
   const DoubleV infinity = hn::Set(doubles, std::numeric_limits<double>::infinity());
-  DoubleV least = infinity;
-  for (std::size_t plane = lane; plane < count; plane += axis_lanes) {
-    const DoubleV position = hn::PromoteTo(doubles, hn::Load(narrow, planes.position + plane));
-    const DoubleV left = hn::PromoteTo(doubles, hn::Load(narrow, planes.left + plane));
-    const DoubleV right = hn::PromoteTo(doubles, hn::Load(narrow, planes.right + plane));
+  DoubleV least = infinity, lowest = infinity;
+  for (std::size_t plane = 0; plane < count; plane += axis_lanes) {
+    const DoubleV position = load_wide(planes.position + plane);
+    const DoubleV left = load_wide(planes.left + plane), right = load_wide(planes.right + plane);
     const DoubleV before = hn::Add(caps, hn::Mul(rim, hn::Sub(position, lo)));
     const DoubleV behind = hn::Add(caps, hn::Mul(rim, hn::Sub(hi, position)));
     const DoubleV tests = hn::Add(hn::Mul(left, before), hn::Mul(right, behind));
@@ -137,25 +139,18 @@ HWY_INLINE DoubleV find_costs(const CostModel& model, const AxisCosts& costs,
     const DoubleV cost = hn::IfThenElse(empty, hn::Mul(full, empty_factor), full);
     const auto has_room = hn::And(hn::Le(first, position), hn::Le(position, last));
     const DoubleV allowed = hn::IfThenElse(has_room, cost, infinity);
-    hn::Store(allowed, doubles, planes.cost + plane);
-    least = hn::Min(least, allowed);
+    const auto is_lower = hn::And(hn::Eq(allowed, least), hn::Lt(position, lowest));
+    const auto is_better = hn::Or(hn::Lt(allowed, least), is_lower);
+    least = hn::IfThenElse(is_better, allowed, least);
+    lowest = hn::IfThenElse(is_better, position, lowest);
   }
-  return least;
+  hn::Store(least, doubles, bests.cost + lane);
+  hn::Store(lowest, doubles, bests.position + lane);
 }
 
-HWY_INLINE DoubleV find_lowest(const AxisPlanes& some, DoubleV cost) {
-  const auto [planes, lane, count] = some;
-  const DoubleV infinity = hn::Set(doubles, std::numeric_limits<double>::infinity());
-  DoubleV lowest = infinity;
-  for (std::size_t plane = lane; plane < count; plane += axis_lanes) {
-    const auto equal = hn::Eq(hn::Load(doubles, planes.cost + plane), cost);
-    const DoubleV position = hn::PromoteTo(doubles, hn::Load(narrow, planes.position + plane));
-    lowest = hn::Min(lowest, hn::IfThenElse(equal, position, infinity));
-  }
-  return lowest;
-}
-
-Split cheapest_plane(const BuildJob& job, std::span<const FewBox> boxes, const Aabb& cell) {
+template <std::size_t extent>
+HWY_INLINE Split find_cheapest(const BuildJob& job, std::span<const FewBox, extent> boxes,
+                               const Aabb& cell) {
   AxisCosts costs;
   find_axis_costs(job, cell, costs);
   const std::size_t count = (2 * boxes.size() + 2) * axis_lanes;
@@ -164,15 +159,26 @@ Split cheapest_plane(const BuildJob& job, std::span<const FewBox> boxes, const A
   add_up_sides(boxes, planes, count);
   AxisBests bests;
   for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
-    const AxisPlanes some{planes, lane, count};
-    const DoubleV least = find_costs(job.costs, costs, some);
-    hn::Store(least, doubles, bests.cost + lane);
-    hn::Store(find_lowest(some, least), doubles, bests.position + lane);
+    find_bests(job.costs, costs, planes, count, lane, bests);
   }
   int axis = bests.cost[1] < bests.cost[0] ? 1 : 0;
   axis = bests.cost[2] < bests.cost[axis] ? 2 : axis;
   return {
       .axis = axis, .position = static_cast<float>(bests.position[axis]), .cost = bests.cost[axis]};
+}
+
+/// Most nodes hold so few boxes that loops of a fixed length pay.
+Split cheapest_plane(const BuildJob& job, std::span<const FewBox> boxes, const Aabb& cell) {
+  switch (boxes.size()) {
+    case 2:
+      return find_cheapest(job, boxes.first<2>(), cell);
+    case 3:
+      return find_cheapest(job, boxes.first<3>(), cell);
+    case 4:
+      return find_cheapest(job, boxes.first<4>(), cell);
+    default:
+      return find_cheapest(job, boxes, cell);
+  }
 }
 
 }  // namespace

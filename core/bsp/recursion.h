@@ -67,7 +67,9 @@ class Recursion {
     }
     job_.poll();
     const std::optional<Split> wanted = wanted_split(objects, place);
-    if (!wanted) {
+    // To go on after a split that does not pay, in the hope of better ones below, measures worse:
+    // it more than doubles the tree, and even where that is taken back it saves 1 % of the cost.
+    if (!wanted || wanted->cost > leaf_cost(objects)) {
       make_leaf(objects, slot);
       return job_.tell(place.work);
     }
@@ -87,12 +89,7 @@ class Recursion {
   /// The split that the rule asks for and the limits allow.
   std::optional<Split> wanted_split(const Objects& objects, const Place& place) const {
     if (objects.count() <= job_.leaf_size || place.depth >= job_.max_depth) return {};
-    const std::optional<Split> split = objects.find_split(place);
-    if (!split) return {};
-    // To go on after a failed split, in the hope of better ones below, measures worse: it more than
-    // doubles the tree, and even where what did not pay is taken back it saves 1 % of the cost.
-    if (split->cost > leaf_cost(objects)) return {};
-    return split;
+    return objects.find_split(place);
   }
 
   double leaf_cost(const Objects& objects) const {
@@ -138,7 +135,7 @@ class Recursion {
     make_room(job_, nodes, 2);
     const auto left = static_cast<std::uint32_t>(nodes.size());
     nodes[slot.node] = Node::make_inner(split.axis, split.position, left);
-    nodes.resize(left + 2, Node::make_leaf(0, 0));
+    nodes.resize(left + 2);  // written when they are grown
     return {slot.branch, left};
   }
 

@@ -31,6 +31,26 @@ void add_leaf(TreeStats& stats, const NodeInCell& place, std::uint32_t objects) 
   }
 }
 
+/// crossing_probability in the cell of the root, whose area is found once.
+class RootCrossing {
+ public:
+  explicit RootCrossing(const Aabb& root)
+      : root_(root), area_(root.empty() ? 0.0 : half_area(root)) {}
+
+  double operator()(const Aabb& cell) const {
+    return area_ > 0.0 ? half_area(cell) / area_ : crossing_probability(cell, root_);
+  }
+
+ private:
+  static double half_area(const Aabb& box) {
+    const Vec3d d = Vec3d(box.hi) - Vec3d(box.lo);
+    return d.x * d.y + d.y * d.z + d.z * d.x;
+  }
+
+  const Aabb root_;
+  const double area_;
+};
+
 /// visit_nodes for a visitor that can be inlined.
 template <class Visit>
 class Walk {
@@ -62,12 +82,13 @@ class Walk {
 TreeStats tree_stats(const Tree& tree, const std::stop_token& stop) {
   constexpr std::uint64_t nodes_between_looks = 1024;
   const CostModel costs = cost_model(tree.params, tree.cost_intersection);
+  const RootCrossing crossing(tree.box);
   TreeStats stats;
   stats.volume = tree.box.empty() ? 0.0 : volume(tree.box);
   Walk(tree, [&](std::uint32_t index, const Aabb& cell, int depth) {
     if (stats.nodes % nodes_between_looks == 0 && stop.stop_requested()) return false;
     const Node& node = tree.nodes[index];
-    const double probability = crossing_probability(cell, tree.box);
+    const double probability = crossing(cell);
     ++stats.nodes;
     if (node.is_leaf()) {
       add_leaf(stats, {index, cell, depth}, node.count());

@@ -40,10 +40,10 @@ Outline divide_into(const Aabb& cell, const Aabb& child, double margin, Outline 
   while (cell.lo[axis] == child.lo[axis] && cell.hi[axis] == child.hi[axis]) ++axis;
   const bool goes_left = cell.lo[axis] == child.lo[axis];
   const float plane = goes_left ? child.hi[axis] : child.lo[axis];
-  OutlineSides sides;
-  divide(part, lane_box(box_of(part, margin)), {axis, plane, margin},
-         room.of(2 * outline_room(part.size())), sides);
-  return goes_left ? sides.left.outline : sides.right.outline;
+  LaneBox left, right;
+  const OutlineSides sides = divide(part, lane_box(box_of(part, margin)), {axis, plane, margin},
+                                    room.of(2 * outline_room(part.size())), {left, right});
+  return goes_left ? sides.left : sides.right;
 }
 
 /// One walk over the whole tree, with the objects whose boxes touch the present cell.

@@ -6,7 +6,7 @@
 //
 #include <hwy/highway.h>
 
-#include <utility>
+#include <algorithm>
 
 #include "core/math/float_lanes-inl.h"
 #include "core/shape/outline.h"
@@ -36,45 +36,65 @@ HWY_INLINE void write_crossing(const Corner& p, const Corner& q, double share, C
   }
 }
 
-/// Writes the box of the corners, moved outwards by `margin` and cut off by `bounds`.
-HWY_INLINE void find_box(Outline part, double margin, const LaneBox& bounds, LaneBox& box) {
-  const auto more = hn::Set(doubles, margin);
-  for (std::size_t i = 0; i < 4; i += hn::Lanes(doubles)) {
-    auto low = hn::LoadU(doubles, &part[0][i]), high = low;
-    for (const Corner& corner : part.subspan(1)) {
-      const auto at = hn::LoadU(doubles, &corner[i]);
-      low = hn::Min(low, at);
-      high = hn::Max(high, at);
-    }
-    const auto lo = round_to_float<-1>(doubles, hn::Sub(low, more));
-    const auto hi = round_to_float<1>(doubles, hn::Add(high, more));
-    hn::StoreU(hn::Max(lo, hn::LoadU(floats, bounds.lo + i)), floats, box.lo + i);
-    hn::StoreU(hn::Min(hi, hn::LoadU(floats, bounds.hi + i)), floats, box.hi + i);
+struct BoxLanes {
+  hn::Vec<Floats> lo, hi;
+};
+
+/// The box of corners, moved outwards by `margin`, in the lanes from `lane` on.
+HWY_INLINE BoxLanes box_around(Outline part, double margin, std::size_t lane) {
+  const auto at = [&](std::size_t i) { return hn::LoadU(doubles, &part[i][lane]); };
+  const std::size_t last = part.size() - 1;
+  auto low = at(0), high = low;
+  // Most outlines have about so many: to look at some corners twice is faster than to guess wrong.
+  constexpr std::size_t few = 6;
+  for (std::size_t i = 1; i < few; ++i) {
+    const auto corner = at(std::min(i, last));
+    low = hn::Min(low, corner);
+    high = hn::Max(high, corner);
   }
+  for (std::size_t i = few; i <= last; ++i) {
+    low = hn::Min(low, at(i));
+    high = hn::Max(high, at(i));
+  }
+  const auto more = hn::Set(doubles, margin);
+  return {round_to_float<-1>(doubles, hn::Sub(low, more)),
+          round_to_float<1>(doubles, hn::Add(high, more))};
 }
 
-/// Writes the box of a side within `bounds`, of which one limit is the plane.
-HWY_INLINE void find_side_box(const LaneBox& bounds, float& limit, const OutlineCut& cut,
-                              OutlineSide& side) {
-  if (side.outline.empty()) return;
-  const float whole = std::exchange(limit, cut.position);
-  find_box(side.outline, cut.margin, bounds, side.box);
-  limit = whole;
-  const LaneBox& box = side.box;
-  const bool is_box =
-      (box.lo[0] <= box.hi[0]) & (box.lo[1] <= box.hi[1]) & (box.lo[2] <= box.hi[2]);
-  if (!is_box) side.outline = {};
+/// Writes the box of a side, of which one limit is the plane: `way` is 1 to the right of it. False
+/// when it is empty.
+template <int way>
+HWY_INLINE bool find_side_box(Outline side, const LaneBox& whole, const OutlineCut& cut,
+                              LaneBox& box) {
+  if (side.empty()) return false;
+  bool is_box = true;
+  const auto plane = hn::Set(floats, cut.position);
+  for (std::size_t i = 0; i < 4; i += hn::Lanes(floats)) {
+    const auto lane = hn::Iota(floats, static_cast<float>(i));
+    const auto across = hn::Eq(lane, hn::Set(floats, static_cast<float>(cut.axis)));
+    const auto whole_lo = hn::LoadU(floats, whole.lo + i),
+               whole_hi = hn::LoadU(floats, whole.hi + i);
+    const BoxLanes around = box_around(side, cut.margin, i);
+    const auto lo =
+        hn::Max(around.lo, way > 0 ? hn::IfThenElse(across, plane, whole_lo) : whole_lo);
+    const auto least =
+        hn::Min(around.hi, way < 0 ? hn::IfThenElse(across, plane, whole_hi) : whole_hi);
+    const auto hi = hn::IfThenElse(hn::Eq(lane, hn::Set(floats, 3.0f)), whole_hi, least);
+    hn::StoreU(lo, floats, box.lo + i);
+    hn::StoreU(hi, floats, box.hi + i);
+    is_box &= hn::AllTrue(floats, hn::Le(lo, hi));
+  }
+  return is_box;
 }
 
-void divide_outline(Outline part, const LaneBox& box, const OutlineCut& cut, Corner* to,
-                    OutlineSides& sides) {
-  sides.left.outline = sides.right.outline = {};
-  if (part.empty()) return;
+OutlineSides divide_outline(Outline part, const LaneBox& box, const OutlineCut& cut, Corner* to,
+                            const LaneBoxes& boxes) {
+  if (part.empty()) return {};
   const auto axis = static_cast<std::size_t>(cut.axis);
   const double position = cut.position, margin = cut.margin;
-  Corner* const left = to;
-  Corner* const right = to + outline_room(part.size());
-  std::size_t left_size = 0, right_size = 0;
+  Corner* const first_left = to;
+  Corner* const first_right = to + outline_room(part.size());
+  Corner *left = first_left, *right = first_right;
   const Corner* p = &part.back();
   double p_height = (*p)[axis] - position;
   bool p_left = p_height <= margin, p_right = p_height >= -margin;
@@ -83,34 +103,35 @@ void divide_outline(Outline part, const LaneBox& box, const OutlineCut& cut, Cor
     const bool is_left = height <= margin, is_right = height >= -margin;
     if ((is_left != p_left) | (is_right != p_right)) {
       const double fall = p_height - height;
-      write_crossing(*p, q, (p_height - margin) / fall, left[left_size]);
-      write_crossing(*p, q, (p_height + margin) / fall, right[right_size]);
-      left_size += is_left != p_left;
-      right_size += is_right != p_right;
+      write_crossing(*p, q, (p_height - margin) / fall, *left);
+      write_crossing(*p, q, (p_height + margin) / fall, *right);
+      left += is_left != p_left;
+      right += is_right != p_right;
     }
-    write(q, left[left_size]);
-    write(q, right[right_size]);
-    left_size += is_left;
-    right_size += is_right;
+    write(q, *left);
+    write(q, *right);
+    left += is_left;
+    right += is_right;
     p = &q;
     p_height = height;
     p_left = is_left;
     p_right = is_right;
   }
-  sides.left.outline = {left, left_size};
-  sides.right.outline = {right, right_size};
-  LaneBox bounds = box;
-  find_side_box(bounds, bounds.hi[axis], cut, sides.left);
-  find_side_box(bounds, bounds.lo[axis], cut, sides.right);
+  OutlineSides sides{{first_left, left}, {first_right, right}};
+  if (!find_side_box<-1>(sides.left, box, cut, boxes.left)) sides.left = {};
+  if (!find_side_box<1>(sides.right, box, cut, boxes.right)) sides.right = {};
+  return sides;
 }
 
 Aabb box_of_outline(Outline part, double margin) {
   if (part.empty()) return {};
-  constexpr float most = std::numeric_limits<float>::infinity();
-  constexpr LaneBox everything{{-most, -most, -most, -most}, {most, most, most, most}};
   LaneBox box;
-  find_box(part, margin, everything, box);
-  return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
+  for (std::size_t i = 0; i < 4; i += hn::Lanes(floats)) {
+    const BoxLanes around = box_around(part, margin, i);
+    hn::StoreU(around.lo, floats, box.lo + i);
+    hn::StoreU(around.hi, floats, box.hi + i);
+  }
+  return aabb(box);
 }
 
 }  // namespace
@@ -127,9 +148,9 @@ double outline_margin(const Aabb& box) {
   return 0x1p-43 * largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)));
 }
 
-void divide(Outline part, const LaneBox& box, const OutlineCut& cut, OutlineCorner* to,
-            OutlineSides& sides) {
-  HWY_DYNAMIC_DISPATCH(divide_outline)(part, box, cut, to, sides);
+OutlineSides divide(Outline part, const LaneBox& box, const OutlineCut& cut, OutlineCorner* to,
+                    const LaneBoxes& boxes) {
+  return HWY_DYNAMIC_DISPATCH(divide_outline)(part, box, cut, to, boxes);
 }
 
 Aabb box_of(Outline part, double margin) {

@@ -17,12 +17,15 @@ using OutlineCorner = std::array<double, 4>;
 /// what lies apart.
 using Outline = std::span<const OutlineCorner>;
 
-/// A box in the lanes of vectors. The fourth ones are others': lo[3] is handed down, hi[3] is not.
+/// A box in the lanes of vectors. The fourth ones are others' and are handed down.
 struct alignas(32) LaneBox {
   float lo[4], hi[4];
 };
-inline LaneBox lane_box(const Aabb& box, float tests = 0.0f) {
-  return {{box.lo.x, box.lo.y, box.lo.z, tests}, {box.hi.x, box.hi.y, box.hi.z, tests}};
+inline LaneBox lane_box(const Aabb& box, float others = 0.0f) {
+  return {{box.lo.x, box.lo.y, box.lo.z, others}, {box.hi.x, box.hi.y, box.hi.z, others}};
+}
+inline Aabb aabb(const LaneBox& box) {
+  return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
 }
 
 /// How much farther than asked for outlines and their boxes reach, so that an outline is empty only
@@ -68,25 +71,18 @@ struct OutlineCut {
   double margin;
 };
 
-/// The part of an outline on one side of a plane, and its box: rounded outwards, with the margin,
-/// within that of the whole outline. Where the box is empty, so is the outline.
-struct OutlineSide {
-  Outline outline;
-  LaneBox box;
-};
 struct OutlineSides {
-  OutlineSide left, right;
+  Outline left, right;
 };
-inline Aabb box_of(const OutlineSide& side) {
-  const LaneBox& box = side.box;
-  if (side.outline.empty()) return {};
-  return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
-}
+struct LaneBoxes {
+  LaneBox &left, &right;
+};
 
 /// Divides an outline within `box`. The sides lie in `to`, where there is room for
-/// 2 outline_room(part.size()).
-void divide(Outline part, const LaneBox& box, const OutlineCut& cut, OutlineCorner* to,
-            OutlineSides& sides);
+/// 2 outline_room(part.size()) corners. Writes their boxes: rounded outwards, with the margin, but
+/// within `box` and not beyond the plane. A side whose box is empty is so, too.
+[[nodiscard]] OutlineSides divide(Outline part, const LaneBox& box, const OutlineCut& cut,
+                                  OutlineCorner* to, const LaneBoxes& boxes);
 
 /// Rounded outwards, with the margin; empty for an empty outline.
 Aabb box_of(Outline part, double margin);

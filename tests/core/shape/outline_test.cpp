@@ -30,22 +30,26 @@ class DividedOutline {
   Outline part() const { return part_; }
   Aabb box() const { return box_of(part_, margin); }
 
-  OutlineSides sides(int axis, float plane) {
-    OutlineSides sides;
-    const std::size_t corners = 2 * outline_room(part_.size());
-    divide(part_, lane_box(box()), {axis, plane, margin}, rooms_[turn_].of(corners), sides);
+  struct Sides : OutlineSides {
+    Aabb left_box, right_box;
+  };
+  Sides sides(int axis, float plane) {
+    LaneBox left, right;
+    OutlineCorner* const room = rooms_[turn_].of(2 * outline_room(part_.size()));
+    const OutlineSides sides =
+        divide(part_, lane_box(box()), {axis, plane, margin}, room, {left, right});
     turn_ = 1 - turn_;
-    return sides;
+    return {sides, aabb(left), aabb(right)};
   }
 
   /// Goes to one side of a random plane across the cell, which becomes that side.
   void go_down(test::Random& random, Aabb& cell) {
     const int axis = random.below(3);
     const float plane = cell.lo[axis] + random.unit() * (cell.hi[axis] - cell.lo[axis]);
-    const OutlineSides both = sides(axis, plane);
+    const Sides both = sides(axis, plane);
     const bool go_left = random.below(2) == 0;
     (go_left ? cell.hi : cell.lo)[axis] = plane;
-    part_ = (go_left ? both.left : both.right).outline;
+    part_ = go_left ? both.left : both.right;
   }
 
  private:
@@ -134,15 +138,14 @@ TEST(Outline, OfAConcavePolygonHoldsEveryPointOfIt) {
 TEST(Outline, WhatOnlyTouchesThePlaneIsOnBothSides) {
   const std::array<Vec3, 3> corners{Vec3{0, 0, 0}, Vec3{0.5f, 0, 0}, Vec3{0, 0.5f, 0}};
   DividedOutline outline(corners, cube);
-  OutlineSides sides = outline.sides(0, 0.5f);
-  EXPECT_FALSE(sides.left.outline.empty());
-  EXPECT_FALSE(sides.right.outline.empty());
+  DividedOutline::Sides sides = outline.sides(0, 0.5f);
+  EXPECT_FALSE(sides.left.empty());
+  EXPECT_FALSE(sides.right.empty());
   sides = outline.sides(2, 0.0f);  // lies in the plane
-  EXPECT_EQ(sides.left.outline.size(), 3u);
-  EXPECT_EQ(sides.right.outline.size(), 3u);
+  EXPECT_EQ(sides.left.size(), 3u);
+  EXPECT_EQ(sides.right.size(), 3u);
   sides = outline.sides(1, -0.1f);
-  EXPECT_TRUE(sides.left.outline.empty());
-  EXPECT_TRUE(box_of(sides.left).empty());
+  EXPECT_TRUE(sides.left.empty());
 }
 
 TEST(Outline, BoxesOfSidesEndAtThePlaneAndWithinTheWhole) {
@@ -153,10 +156,10 @@ TEST(Outline, BoxesOfSidesEndAtThePlaneAndWithinTheWhole) {
     const Aabb whole = outline.box();
     const int axis = random.below(3);
     const float plane = whole.lo[axis] + random.unit() * (whole.hi[axis] - whole.lo[axis]);
-    const OutlineSides sides = outline.sides(axis, plane);
-    ASSERT_TRUE(whole.contains(box_of(sides.left)) && whole.contains(box_of(sides.right)));
-    ASSERT_EQ(box_of(sides.left).hi[axis], plane) << trial;
-    ASSERT_EQ(box_of(sides.right).lo[axis], plane) << trial;
+    const DividedOutline::Sides sides = outline.sides(axis, plane);
+    ASSERT_TRUE(whole.contains(sides.left_box) && whole.contains(sides.right_box));
+    ASSERT_EQ(sides.left_box.hi[axis], plane) << trial;
+    ASSERT_EQ(sides.right_box.lo[axis], plane) << trial;
   }
 }
 
@@ -194,9 +197,9 @@ TEST(Outline, OfAComb) {
     comb.insert(comb.end(), {{x, -1, 0}, {x + 0.01f, 1, 0}});
   }
   DividedOutline outline(comb, cube);
-  const OutlineSides sides = outline.sides(1, 0.0f);
-  EXPECT_EQ(sides.left.outline.size(), 150u);
-  EXPECT_EQ(sides.right.outline.size(), 150u);
+  const DividedOutline::Sides sides = outline.sides(1, 0.0f);
+  EXPECT_EQ(sides.left.size(), 150u);
+  EXPECT_EQ(sides.right.size(), 150u);
   EXPECT_EQ(DividedOutline(comb, {Vec3(-1.0f), {1, 0, 1}}).part().size(), 150u);
 }
 
