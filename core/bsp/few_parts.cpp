@@ -3,6 +3,14 @@
 #include "core/bsp/clip_part.h"
 
 namespace bspview {
+namespace {
+
+/// Larger outlines, and those that grow by more than this when they are cut, as concave polygons
+/// may over and over, are not kept, lest they take much memory: they are found anew.
+constexpr std::size_t most_corners_kept = 256;
+constexpr std::size_t most_corners_more = 8;
+
+}  // namespace
 
 void FewParts::append_objects(References& objects) const {
   objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
@@ -42,14 +50,16 @@ void FewParts::cut(const Part& part, const CellSplit& split, const Sides& to) {
 
 void FewParts::divide_outline(const Part& part, const CellSplit& split, Outline whole,
                               const Sides& to) {
-  auto* const room = outlines_.take<OutlineCorner>(2 * outline_room(whole.size()));
+  const std::size_t corners = 2 * outline_room(whole.size());
+  const bool is_large = whole.size() > most_corners_kept;
+  OutlineRoom large;
+  OutlineCorner* const room = is_large ? large.of(corners) : outlines_.take<OutlineCorner>(corners);
   const OutlineSides sides =
       divide(whole, part.box, {split.axis, split.position, job_->clip_margin}, room,
              {to.left.boxes_[to.left.count_], to.right.boxes_[to.right.count_]});
-  // Of a polygon that is cut over and over where it is concave, the outline may grow.
-  const std::size_t most_corners = whole.size() + 8;
+  const std::size_t most_kept = is_large ? 0 : whole.size() + most_corners_more;
   const auto add = [&](FewParts& parts, Outline side) {
-    const std::size_t kept = side.size() <= most_corners ? side.size() : 0;
+    const std::size_t kept = side.size() <= most_kept ? side.size() : 0;
     parts.objects_[parts.count_] = part.object;
     parts.corners_[parts.count_] = {side.data(), kept};
     parts.count_ += !side.empty();

@@ -78,7 +78,15 @@ class ScratchStack {
   ScratchStack& operator=(const ScratchStack&) = delete;
 
  private:
-  void* take(std::size_t bytes);
+  void* take(std::size_t bytes) {
+    constexpr std::size_t alignment = 16;
+    bytes = (bytes + alignment - 1) / alignment * alignment;
+    if (blocks_.empty() || blocks_[top_.block].size() - top_.used < bytes) go_to_next_block(bytes);
+    std::byte* const first = blocks_[top_.block].data() + top_.used;
+    top_.used += bytes;
+    return first;
+  }
+  void go_to_next_block(std::size_t bytes);
 
   // Those before the top one are full, those behind it are free.
   std::vector<RawVector<std::byte>> blocks_;
