@@ -1,4 +1,6 @@
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <utility>
 
@@ -37,6 +39,17 @@ TreeRequest without_limits(TreeRequest request) {
 
 bool is_family(const TreeRequest& a, const TreeRequest& b) {
   return a.scene == b.scene && same_planes(a.params, b.params);
+}
+
+/// False as soon as another tree is wanted; true when, for a time in which the picture and the
+/// boxes of this one can be made undisturbed, none is.
+bool nobody_goes_on(const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds rest(60);
+  std::mutex mutex;
+  std::unique_lock lock(mutex);
+  std::condition_variable_any never;
+  never.wait_for(lock, stop, rest, [] { return false; });
+  return !stop.stop_requested();
 }
 
 }  // namespace
@@ -201,7 +214,7 @@ Result<void> TreeWork::operator()(const TreeRequest& request, std::stop_token st
       std::make_shared<const BuiltTree>(request, std::move(grown->tree), grown->origin, stop);
   if (stop.stop_requested()) return Error{"stopped"};
   publish(built);
-  grower_->tidy();
+  if (nobody_goes_on(stop)) grower_->tidy();
   return {};
 }
 
