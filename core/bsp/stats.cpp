@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/bsp/cost.h"
 
 namespace bspview {
@@ -55,8 +56,11 @@ class RootCrossing {
 template <class Visit>
 class Walk {
  public:
-  Walk(const Tree& tree, const Visit& visit) : tree_(tree), visit_(visit), cell_(tree.box) {
-    if (!tree.nodes.empty()) descend(0, 0);
+  Walk(const Tree& tree, const Visit& visit) : Walk(tree, {0, tree.box, 0}, visit) {}
+  /// From a node down.
+  Walk(const Tree& tree, const NodeInCell& from, const Visit& visit)
+      : tree_(tree), visit_(visit), cell_(from.cell) {
+    if (!tree.nodes.empty()) descend(from.node, from.depth);
   }
 
  private:
@@ -77,28 +81,91 @@ class Walk {
   Aabb cell_;
 };
 
+void add(std::vector<std::uint64_t>& histogram, const std::vector<std::uint64_t>& more) {
+  if (more.size() > histogram.size()) histogram.resize(more.size(), 0);
+  for (std::size_t i = 0; i < more.size(); ++i) histogram[i] += more[i];
+}
+
+/// All but the volume of the root.
+void add(TreeStats& stats, const TreeStats& more) {
+  stats.nodes += more.nodes;
+  stats.inner += more.inner;
+  stats.leaves += more.leaves;
+  stats.empty_leaves += more.empty_leaves;
+  stats.references += more.references;
+  stats.deepest_leaf = std::max(stats.deepest_leaf, more.deepest_leaf);
+  stats.full_volume += more.full_volume;
+  stats.expected_cost += more.expected_cost;
+  add(stats.leaves_at_depth, more.leaves_at_depth);
+  add(stats.leaves_with_count, more.leaves_with_count);
+}
+
+/// Adds up a tree in parts, the same ones for any number of threads.
+class StatsWalk {
+ public:
+  StatsWalk(const Tree& tree, const std::stop_token& stop)
+      : tree_(tree),
+        stop_(stop),
+        costs_(cost_model(tree.params, tree.cost_intersection)),
+        crossing_(tree.box) {}
+
+  /// Of all above `subtrees`, which it finds.
+  TreeStats upper_part(std::vector<NodeInCell>& subtrees) const {
+    constexpr int upper_depth = 6;
+    TreeStats stats;
+    Walk(tree_, [&](std::uint32_t index, const Aabb& cell, int depth) {
+      if (depth < upper_depth) return add_node(stats, {index, cell, depth});
+      subtrees.push_back({index, cell, depth});
+      return false;
+    });
+    return stats;
+  }
+
+  TreeStats subtree(const NodeInCell& root) const {
+    TreeStats stats;
+    Walk(tree_, root, [&](std::uint32_t index, const Aabb& cell, int depth) {
+      return add_node(stats, {index, cell, depth});
+    });
+    return stats;
+  }
+
+ private:
+  /// False where it is stopped.
+  bool add_node(TreeStats& stats, const NodeInCell& place) const {
+    constexpr std::uint64_t nodes_between_looks = 1024;
+    if (stats.nodes % nodes_between_looks == 0 && stop_.stop_requested()) return false;
+    const Node& node = tree_.nodes[place.node];
+    const double probability = crossing_(place.cell);
+    ++stats.nodes;
+    if (node.is_leaf()) {
+      add_leaf(stats, place, node.count());
+      stats.expected_cost += probability * costs_.leaf(node.count());
+    } else {
+      ++stats.inner;
+      stats.expected_cost += probability * costs_.traversal;
+    }
+    return true;
+  }
+
+  const Tree& tree_;
+  const std::stop_token& stop_;
+  const CostModel costs_;
+  const RootCrossing crossing_;
+};
+
 }  // namespace
 
 TreeStats tree_stats(const Tree& tree, const std::stop_token& stop) {
-  constexpr std::uint64_t nodes_between_looks = 1024;
-  const CostModel costs = cost_model(tree.params, tree.cost_intersection);
-  const RootCrossing crossing(tree.box);
-  TreeStats stats;
-  stats.volume = tree.box.empty() ? 0.0 : volume(tree.box);
-  Walk(tree, [&](std::uint32_t index, const Aabb& cell, int depth) {
-    if (stats.nodes % nodes_between_looks == 0 && stop.stop_requested()) return false;
-    const Node& node = tree.nodes[index];
-    const double probability = crossing(cell);
-    ++stats.nodes;
-    if (node.is_leaf()) {
-      add_leaf(stats, {index, cell, depth}, node.count());
-      stats.expected_cost += probability * costs.leaf(node.count());
-    } else {
-      ++stats.inner;
-      stats.expected_cost += probability * costs.traversal;
-    }
-    return true;
+  const StatsWalk walk(tree, stop);
+  std::vector<NodeInCell> subtrees;
+  TreeStats stats = walk.upper_part(subtrees);
+  std::vector<TreeStats> parts(subtrees.size());
+  parallel_for(static_cast<int>(parts.size()), [&](int i) {
+    const auto part = static_cast<std::size_t>(i);
+    parts[part] = walk.subtree(subtrees[part]);
   });
+  for (const TreeStats& part : parts) add(stats, part);
+  stats.volume = tree.box.empty() ? 0.0 : volume(tree.box);
   return stats;
 }
 
