@@ -45,6 +45,40 @@ TEST(Build, TreesAreTheSameByEveryInstructionSet) {
   }
 }
 
+/// A ring of teeth in a tilted plane.
+std::vector<Vec3> gear(int teeth) {
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 4 * teeth; ++i) {
+    const float angle = 6.2831853f * static_cast<float>(i) / static_cast<float>(4 * teeth);
+    const float radius = i % 4 < 2 ? 1.0f : 0.9f;
+    const float x = radius * std::cos(angle), y = radius * std::sin(angle);
+    corners.push_back({x, y, 0.3f * x});
+  }
+  return corners;
+}
+
+// Outlines of up to 256 corners are kept while their parts are cut, others are found anew.
+TEST(Build, TreesOfPolygonsOfManyCornersAreTheSameByEveryInstructionSet) {
+  for (const int teeth : {20, 36, 200}) {
+    Scene scene = test::random_scene(100, 7);
+    add_face(scene, 0, gear(teeth));
+    const SceneBuildInput objects(scene);
+    for (const BuildParams& params : every_way({.cost_intersection = 8.0f})) {
+      SCOPED_TRACE(fmt::format("{} teeth, {}", teeth, describe(params)));
+      expect_valid(objects.input(), params);
+      const auto tree = build_tree(objects.input(), params);
+      ASSERT_TRUE(tree.ok());
+      for (const std::int64_t instructions : test::instruction_sets()) {
+        SCOPED_TRACE(hwy::TargetName(instructions));
+        const test::OneInstructionSet only(instructions);
+        const auto same = build_tree(objects.input(), params);
+        ASSERT_TRUE(same.ok());
+        expect_same(*same, *tree);
+      }
+    }
+  }
+}
+
 TEST(Build, NoObjectsMakeOneEmptyLeaf) {
   const BoxSet none;
   for (const BuildParams& params : every_way()) {
