@@ -80,13 +80,14 @@ std::uint32_t fast_any_hit_here(const World& world, const Ray& ray, SideRule rul
   return find_alone<true>(world, ray, rule).object;
 }
 
-/// One ray to the end of its interval. Answers the names of the leaves, added up.
-std::uint64_t walk_alone(const World& world, const Ray& ray) {
-  std::uint64_t sum = 0;
+std::uint64_t walk_alone_here(const World& world, const Ray& ray, bool walks) {
+  if (!is_plain(ray)) return 0;
+  const WideRay wide(ray);
+  std::uint64_t sum =
+      static_cast<std::uint64_t>(wide.near_row[0]);  // lest making ready be left out
   const float reach = ray.t_max * hit_margin;
-  if (!is_plain(ray)) return sum;
   const auto pass = [&](const Accelerator&, std::uint32_t child) { sum += child; };
-  traverse_parts(*world.accelerator, WideRay(ray), reach, pass);
+  if (walks) traverse_parts(*world.accelerator, wide, reach, pass);
   return sum;
 }
 
@@ -94,7 +95,7 @@ std::uint64_t walk_together_here(const World& world, std::span<const Ray> rays, 
   std::uint64_t sum = 0;
   for_each_group(world, rays, SideRule::two_sided, [&](PacketGroup& group, std::size_t, auto some) {
     sum += group.walk(some, walks);
-    if (walks) group.for_each_alone([&](std::size_t i) { sum += walk_alone(world, some[i]); });
+    group.for_each_alone([&](std::size_t i) { sum += walk_alone_here(world, some[i], walks); });
   });
   return sum;
 }
@@ -126,6 +127,7 @@ namespace bspview {
 HWY_EXPORT(fast_closest_hit_here);
 HWY_EXPORT(fast_any_hit_here);
 HWY_EXPORT(walk_together_here);
+HWY_EXPORT(walk_alone_here);
 HWY_EXPORT(closest_hits_here);
 HWY_EXPORT(any_hits_here);
 HWY_EXPORT(width_here);
@@ -141,6 +143,10 @@ std::uint32_t fast_any_hit(const World& world, const Ray& ray, SideRule rule) {
 
 std::uint64_t walk_together(const World& world, std::span<const Ray> rays, bool walks) {
   return HWY_DYNAMIC_DISPATCH(walk_together_here)(world, rays, walks);
+}
+
+std::uint64_t walk_alone(const World& world, const Ray& ray, bool walks) {
+  return HWY_DYNAMIC_DISPATCH(walk_alone_here)(world, ray, walks);
 }
 
 void closest_hits(const World& world, std::span<const Ray> rays, SideRule rule,

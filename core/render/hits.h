@@ -32,9 +32,12 @@ inline bool is_fast(const World& world, const TraceRules& rules) {
 }
 
 /// Walks as closest_hits, each ray to the end of its interval, without object tests; or makes
-/// ready, no more: to measure the walk by (record.h). Answers the names of the leaves, added up.
-/// Needs an accelerator.
+/// ready, no more: to measure the walk by (record.h). Answers a sum of the names of the leaves,
+/// lest it be left out. Needs an accelerator.
 std::uint64_t walk_together(const World& world, std::span<const Ray> rays, bool walks);
+
+/// The same of one ray, by itself.
+std::uint64_t walk_alone(const World& world, const Ray& ray, bool walks);
 
 /// Rays at a time, and the instruction set.
 int packet_width();

@@ -17,12 +17,9 @@ struct Rays {
   BenchKind kind;
 };
 
-void report(benchmark::State& state, const test::RecordedWorld& recorded, bool any) {
-  std::size_t leaves = 0;
-  for (const Ray& ray : recorded.rays()) leaves += count_leaves(recorded.world(), ray, {}, any);
+void report(benchmark::State& state, const test::RecordedWorld& recorded) {
   const std::size_t rays = recorded.rays().size();
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays));
-  state.counters["leaves/ray"] = static_cast<double>(leaves) / static_cast<double>(rays);
 }
 
 void trace_packets(benchmark::State& state, Rays which) {
@@ -33,7 +30,7 @@ void trace_packets(benchmark::State& state, Rays which) {
     benchmark::DoNotOptimize(hits.data());
     benchmark::ClobberMemory();
   }
-  report(state, recorded, false);
+  report(state, recorded);
   state.SetLabel(packet_instructions());
 }
 BENCHMARK_CAPTURE(trace_packets, teapot_primary, Rays{"teapot", BenchKind::primary})
@@ -47,7 +44,7 @@ void trace_shadow_packets(benchmark::State& state, Rays which) {
     benchmark::DoNotOptimize(blockers.data());
     benchmark::ClobberMemory();
   }
-  report(state, recorded, true);
+  report(state, recorded);
   state.SetLabel(packet_instructions());
 }
 BENCHMARK_CAPTURE(trace_shadow_packets, teapot_shadow, Rays{"teapot", BenchKind::shadow})
@@ -60,7 +57,7 @@ void trace_one_by_one(benchmark::State& state, Rays which) {
       benchmark::DoNotOptimize(fast_closest_hit(recorded.world(), ray, SideRule::two_sided));
     }
   }
-  report(state, recorded, false);
+  report(state, recorded);
 }
 BENCHMARK_CAPTURE(trace_one_by_one, mount_scattered, Rays{"mount", BenchKind::scattered})
     ->Unit(benchmark::kMillisecond);
@@ -74,7 +71,7 @@ void trace_shadow_one_by_one(benchmark::State& state, Rays which) {
       benchmark::DoNotOptimize(fast_any_hit(recorded.world(), ray, SideRule::two_sided));
     }
   }
-  report(state, recorded, true);
+  report(state, recorded);
 }
 BENCHMARK_CAPTURE(trace_shadow_one_by_one, teapot_shadow, Rays{"teapot", BenchKind::shadow})
     ->Unit(benchmark::kMillisecond);

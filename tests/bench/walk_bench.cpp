@@ -12,9 +12,9 @@
 namespace bspview {
 namespace {
 
-/// Whether a ray passes a cell of a node before `end`; never that of a slot without one.
-bool passes(const WideNode& node, int slot, const Ray& ray, float end) {
-  float first = ray.t_min, last = end;
+/// Whether a ray passes a cell of a node; never that of a slot without one.
+bool passes(const WideNode& node, int slot, const Ray& ray) {
+  float first = ray.t_min, last = ray.t_max;
   for (int axis = 0; axis < 3; ++axis) {
     const int near = 2 * axis + static_cast<int>(std::signbit(ray.direction[axis]));
     const auto distance = [&](int row) {
@@ -26,15 +26,15 @@ bool passes(const WideNode& node, int slot, const Ray& ray, float end) {
   return first <= last;
 }
 
-/// The nodes that a ray comes to before `end`: a step each.
-std::size_t count_nodes(const WideTree& tree, const Ray& ray, float end) {
+/// The nodes that a ray comes to: a step each.
+std::size_t count_nodes(const WideTree& tree, const Ray& ray) {
   std::size_t count = 0;
   for (std::vector<std::uint32_t> open{0}; !open.empty(); ++count) {
     const WideNode& node = tree.nodes[open.back()];
     open.pop_back();
     for (int slot = 0; slot < WideNode::width; ++slot) {
       const std::uint32_t child = node.child[slot];
-      if (!(child & WideNode::leaf_bit) && passes(node, slot, ray, end)) open.push_back(child);
+      if (!(child & WideNode::leaf_bit) && passes(node, slot, ray)) open.push_back(child);
     }
   }
   return count;
@@ -43,26 +43,25 @@ std::size_t count_nodes(const WideTree& tree, const Ray& ray, float end) {
 /// Rays, and how far each of them walks.
 struct Walks {
   test::RecordedWorld recorded;
-  std::vector<float> ends;            // t of the hit, or t_max
-  std::vector<std::uint32_t> leaves;  // visited up to there
-  std::size_t nodes = 0;              // of all rays
+  std::vector<Ray> rays;  // up to what they hit
+  std::size_t nodes = 0;  // of all rays
 
   explicit Walks(BenchKind kind) : recorded("mount", 6, kind, 4096) {
     const World& world = recorded.world();
-    for (const Ray& ray : recorded.rays()) {
+    for (const Ray& recorded_ray : recorded.rays()) {
+      Ray& ray = rays.emplace_back(recorded_ray);
       const Hit hit = fast_closest_hit(world, ray, SideRule::two_sided);
-      ends.push_back(hit ? static_cast<float>(hit.t) : ray.t_max);
-      leaves.push_back(count_leaves(world, ray, {}, false));
-      nodes += count_nodes(world.accelerator->tree(), ray, ends.back());
+      if (hit) ray.t_max = static_cast<float>(hit.t);
+      nodes += count_nodes(world.accelerator->tree(), ray);
     }
   }
 };
 
 void report(benchmark::State& state, const Walks& walks) {
   using benchmark::Counter;
-  const auto rays = static_cast<double>(walks.ends.size());
+  const auto rays = static_cast<double>(walks.rays.size());
   const auto nodes = static_cast<double>(walks.nodes);
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(walks.ends.size()));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(walks.rays.size()));
   state.counters["nodes/ray"] = nodes / rays;
   state.counters["tree_bytes"] =
       static_cast<double>(walks.recorded.world().accelerator->tree().bytes());
@@ -73,12 +72,8 @@ void report(benchmark::State& state, const Walks& walks) {
 void walk_one_ray(benchmark::State& state) {
   const Walks walks(BenchKind::scattered);
   const World& world = walks.recorded.world();
-  const std::vector<Ray>& rays = walks.recorded.rays();
   for (auto _ : state) {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (walks.leaves[i] == 0) continue;
-      benchmark::DoNotOptimize(walk_leaves(world, rays[i], walks.leaves[i]));
-    }
+    for (const Ray& ray : walks.rays) benchmark::DoNotOptimize(walk_alone(world, ray, true));
   }
   report(state, walks);
 }
@@ -88,7 +83,7 @@ void ready_one_ray(benchmark::State& state) {
   const test::RecordedWorld recorded("mount", 6, BenchKind::scattered, 4096);
   for (auto _ : state) {
     for (const Ray& ray : recorded.rays()) {
-      benchmark::DoNotOptimize(walk_leaves(recorded.world(), ray, 0));
+      benchmark::DoNotOptimize(walk_alone(recorded.world(), ray, false));
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(recorded.rays().size()));
@@ -97,11 +92,8 @@ BENCHMARK(ready_one_ray)->Unit(benchmark::kMicrosecond);
 
 void walk_packet(benchmark::State& state) {
   const Walks walks(BenchKind::primary);
-  const World& world = walks.recorded.world();
-  std::vector<Ray> rays = walks.recorded.rays();
-  for (std::size_t i = 0; i < rays.size(); ++i) rays[i].t_max = walks.ends[i];
   for (auto _ : state) {
-    benchmark::DoNotOptimize(walk_together(world, rays, true));
+    benchmark::DoNotOptimize(walk_together(walks.recorded.world(), walks.rays, true));
   }
   report(state, walks);
   state.SetLabel(packet_instructions());

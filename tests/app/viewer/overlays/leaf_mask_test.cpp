@@ -17,6 +17,7 @@ Tree small_tree() {
                 Node::make_leaf(2, 0), Node::make_leaf(2, 1)};
   tree.references = {0, 1, 1};
   tree.object_count = 2;
+  tree.max_depth = 2;
   return tree;
 }
 
