@@ -152,6 +152,16 @@ HWY_INLINE LaneHits hit_sphere_lanes(const WideLanes& rays, const Sphere& sphere
   return {hn::IfThenElse(enters, enter, leave), bits_of(doubles, hn::Or(enters, leaves))};
 }
 
+/// As passes_far_from_axis of hit_cone: without it, rays beside a thin cone are lost in rounding.
+HWY_INLINE hn::Mask<Doubles> pass_far_from_axis(const WideLanes& rays, const ConeFrame& cone,
+                                                const WideLaneVectors& from_base) {
+  const WideLaneVectors across = rays.direction.cross(all(cone.axis));
+  const DoubleV distance = from_base.dot(across);
+  const DoubleV sizes2 = hn::Mul(hn::Mul(from_base.dot(from_base), rays.length2), all(cone.axis2));
+  const DoubleV near = hn::Mul(all((1.0 + 0x1p-12) * cone.widest2), across.dot(across));
+  return hn::Gt(hn::Mul(distance, distance), hn::Add(near, hn::Mul(all(0x1p-80), sizes2)));
+}
+
 HWY_INLINE LaneHits hit_cone_lanes(const WideLanes& rays, const ConeFrame& cone, Sides sides) {
   const DoubleV zero = hn::Zero(doubles), one = all(1.0);
   const WideLaneVectors& d = rays.direction;
@@ -171,7 +181,8 @@ HWY_INLINE LaneHits hit_cone_lanes(const WideLanes& rays, const ConeFrame& cone,
   const DoubleV discriminant = hn::Sub(hn::Mul(b, b), hn::Mul(a, c));
   const DoubleV q = hn::Add(b, hn::CopySign(hn::Sqrt(discriminant), b));
   const auto no_a = hn::Eq(a, zero), no_q = hn::Eq(q, zero);
-  const auto passes = hn::AndNot(hn::And(no_a, no_q), hn::Ge(discriminant, zero));
+  const auto misses = hn::Or(hn::And(no_a, no_q), pass_far_from_axis(rays, cone, from_base));
+  const auto passes = hn::AndNot(misses, hn::Ge(discriminant, zero));
   const DoubleV one_root = hn::IfThenElse(no_a, all(no_hit), hn::Div(q, a));
   const DoubleV other_root = hn::IfThenElse(no_q, zero, hn::Div(c, q));
   const auto is_later = hn::Gt(one_root, other_root);

@@ -255,6 +255,20 @@ TEST_P(HitsTest, RaysAlongTheAxesOfCylindersFindWhatTheBinaryTreeFinds) {
   expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
 }
 
+/// Beside the axis by many radii, and yet by less than the rounding of a discriminant.
+TEST_P(HitsTest, RaysBesideAHairFindWhatTheBinaryTreeFinds) {
+  Scene scene;
+  scene.materials.resize(1);
+  add_cone(scene, 0, {Vec3(0.0f), 1e-10f, Vec3(1.0f), 1e-10f});
+  add_sphere(scene, 0, {Vec3(0.0f, 0.0f, -1.0f), 0.5f});
+  std::vector<Ray> rays;
+  for (int i = 0; i < 64; ++i) {
+    const float x = 0x1p-8f + static_cast<float>(i) * 0x1p-31f;
+    rays.push_back({{x, 0x1p-8f, 1.0f}, {1e-25f, 1e-25f, -1.0f}});
+  }
+  expect_answers_of_binary_tree(scene, rays, SideRule::two_sided);
+}
+
 TEST_P(HitsTest, WithoutAnAcceleratorRaysGoThroughTheBinaryTree) {
   Random random(6);
   const Scene scene = test::random_scene(100, 16);
