@@ -41,8 +41,8 @@ bool is_family(const TreeRequest& a, const TreeRequest& b) {
   return a.scene == b.scene && same_planes(a.params, b.params);
 }
 
-/// False as soon as another tree is wanted; true when, for a time in which the picture and the
-/// boxes of this one can be made undisturbed, none is.
+/// False as soon as another tree is wanted; true when none is for a while, in which the boxes of
+/// this one, and most pictures, are made undisturbed.
 bool nobody_goes_on(const std::stop_token& stop) {
   constexpr std::chrono::milliseconds rest(60);
   std::mutex mutex;

@@ -5,7 +5,10 @@
 
 #include "core/bsp/bin_planes.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/base/parallel.h"

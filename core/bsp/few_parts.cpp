@@ -1,5 +1,8 @@
 #include "core/bsp/few_parts.h"
 
+#include <cmath>
+#include <utility>
+
 #include "core/bsp/clip_part.h"
 
 namespace bspview {
@@ -8,7 +11,7 @@ namespace {
 /// Larger outlines, and those that grow by more than this when they are cut, as concave polygons
 /// may over and over, are not kept, lest they take much memory: they are found anew.
 constexpr std::size_t most_corners_kept = 256;
-constexpr std::size_t most_corners_more = 8;
+constexpr std::size_t most_growth = 8;
 
 }  // namespace
 
@@ -57,7 +60,7 @@ void FewParts::divide_outline(const Part& part, const CellSplit& split, Outline 
   const OutlineSides sides =
       divide(whole, part.box, {split.axis, split.position, job_->clip_margin}, room,
              {to.left.boxes_[to.left.count_], to.right.boxes_[to.right.count_]});
-  const std::size_t most_kept = is_large ? 0 : whole.size() + most_corners_more;
+  const std::size_t most_kept = is_large ? 0 : whole.size() + most_growth;
   const auto add = [&](FewParts& parts, Outline side) {
     const std::size_t kept = side.size() <= most_kept ? side.size() : 0;
     parts.objects_[parts.count_] = part.object;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "core/bsp/build_job.h"
 #include "core/bsp/few_planes.h"

@@ -1,5 +1,6 @@
 #include "core/bsp/stats.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/parallel.h"

@@ -81,7 +81,7 @@ HWY_INLINE unsigned find_cells(const WideNode& node, const WideRay& ray, float r
   return found;
 }
 
-/// Cells still to visit, the nearest on top. Every level of the tree leaves at most seven.
+/// Cells still to visit, the next one on top. Every level of the tree leaves at most seven.
 class WideStack {
  public:
   /// Below all cells: a leaf that is none.
@@ -102,7 +102,7 @@ class WideStack {
 
   std::uint64_t pop() { return *--top_; }
 
-  /// The nearest that is entered before `reach`, or bottom.
+  /// The next one that is entered before `reach`, or bottom.
   HWY_INLINE std::uint32_t pop_child(float reach) {
     std::uint64_t next = pop();
     while (!(enter(next) <= reach)) next = pop();

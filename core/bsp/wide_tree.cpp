@@ -29,8 +29,8 @@ class NodeCells {
   std::uint32_t operator[](int i) const { return nodes_[i]; }
 
  private:
-  /// Rays that any hit will do visit the last cells first, which have the fewest steps below them:
-  /// what blocks them is found sooner there than in the nearest.
+  /// Packets that any hit will do visit the last cells first, which have the fewest steps below
+  /// them: what blocks rays is found sooner there than in the nearest.
   void sort_by_steps() {
     const auto steps = [&](std::uint32_t cell) {
       const JoinedNode& node = tree_.nodes[cell];

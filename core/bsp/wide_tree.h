@@ -11,7 +11,8 @@
 namespace bspview {
 
 /// Up to eight cells of a BSP tree side by side, each shrunk to the boxes of what it holds. Empty
-/// cells are left out. A slot without a cell has an empty box (lo = inf, hi = -inf).
+/// cells are left out. A slot without a cell has an empty box (lo = inf, hi = -inf). Cells below
+/// which the fewest steps are expected come last.
 struct alignas(64) WideNode {
   static constexpr int width = 8;
   static constexpr std::uint32_t leaf_bit = 0x80000000u;

@@ -13,7 +13,8 @@ Result<std::vector<RecordedRay>> record_rays(const World& world, const Camera& c
 
 /// What a replay does with each recorded ray.
 enum class Replay {
-  walk,   ///< walks the tree without object tests, over the nodes that the ray visited
+  walk,   ///< walks without object tests: over the nodes of the binary tree that the ray visited,
+          ///< or through wide nodes up to where it ended
   enter,  ///< reads the ray and finds its interval in the root box, no more
 };
 

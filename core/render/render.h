@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -79,7 +80,7 @@ struct Frame {
   std::vector<std::uint32_t> leaf;    ///< node index of the leaf where it was found; no_leaf: none
   int pass = 0, pass_count = 0;       ///< done and planned; pass == pass_count: converged. Planned
                                       ///< are fewer as soon as adaptive sampling needs no more
-  double seconds = 0.0;               ///< since the start of the picture
+  double seconds = 0.0;               ///< since the start of the picture, making ready included
   RayCounts counts;                   ///< of the first pass with one sample in every pixel
   bool counted = false;               ///< that pass is done: counts are those of one ray a pixel
 };

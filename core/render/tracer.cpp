@@ -53,8 +53,9 @@ Hit PathOne::closest(const Ray& ray, const RayRole& role) {
   const Hit hit = trace_closest(world_, ray, rules_, log);
   path.object = hit.object;
   path.t = hit.t;
-  index_of_.resize(static_cast<std::size_t>(role.number) + 1);
-  index_of_.back() = static_cast<int>(rays_.size()) - 1;
+  const auto number = static_cast<std::size_t>(role.number);
+  if (index_of_.size() <= number) index_of_.resize(number + 1);
+  index_of_[number] = static_cast<int>(rays_.size()) - 1;
   return hit;
 }
 

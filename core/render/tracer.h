@@ -94,7 +94,7 @@ using CountTracer = OneByOne<CountOne>;
 /// A ray of a picture and how far it walked.
 struct RecordedRay {
   Ray ray;
-  std::uint32_t leaves = 0;  ///< visited until the walk ended
+  std::uint32_t leaves = 0;  ///< of the binary tree, visited until the walk ended
   float end = 0.0f;          ///< t of what it hit, else t_max
   RayKind kind = RayKind::primary;
   bool is_first = false;  ///< of those that were asked about together

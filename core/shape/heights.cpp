@@ -4,6 +4,7 @@
 //
 #include <hwy/highway.h>
 
+#include "core/base/check.h"
 #include "core/shape/heights.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -77,6 +78,7 @@ namespace bspview {
 HWY_EXPORT(find_heights);
 
 Heights heights_of(std::span<const Vec3> points, int axis, float height) {
+  BSPVIEW_CHECK(points.size() <= Heights::most);
   return HWY_DYNAMIC_DISPATCH(find_heights)(points, axis, height);
 }
 

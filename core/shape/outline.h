@@ -17,12 +17,13 @@ using OutlineCorner = std::array<double, 4>;
 /// what lies apart.
 using Outline = std::span<const OutlineCorner>;
 
-/// A box in the lanes of vectors. The fourth ones are others' and are handed down.
+/// A box in the lanes of vectors. The fourth lanes are the caller's; divide() hands them to both
+/// sides.
 struct alignas(32) LaneBox {
   float lo[4], hi[4];
 };
-inline LaneBox lane_box(const Aabb& box, float others = 0.0f) {
-  return {{box.lo.x, box.lo.y, box.lo.z, others}, {box.hi.x, box.hi.y, box.hi.z, others}};
+inline LaneBox lane_box(const Aabb& box, float fourth = 0.0f) {
+  return {{box.lo.x, box.lo.y, box.lo.z, fourth}, {box.hi.x, box.hi.y, box.hi.z, fourth}};
 }
 inline Aabb aabb(const LaneBox& box) {
   return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
@@ -34,8 +35,8 @@ inline Aabb aabb(const LaneBox& box) {
 double outline_margin(const Aabb& box);
 
 /// Corners that an outline of `corners` has on one side of a plane, at most, and one that is
-/// written before it is known whether it is kept: each edge at an end of every second corner
-/// crosses it.
+/// written before it is known whether it is kept: where every second one is kept and both of its
+/// edges cross the plane, half of them with as many crossings as there are corners.
 constexpr std::size_t outline_room(std::size_t corners) {
   return corners + corners / 2 + 1;
 }

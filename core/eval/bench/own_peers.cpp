@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "core/eval/bench/peer.h"
 #include "core/eval/kernels.h"
 #include "core/render/accelerator.h"
