@@ -4,9 +4,11 @@
 
 #include <numeric>
 
+#include "core/base/parallel.h"
 #include "core/bsp/build.h"
 #include "tests/support/box_sets.h"
 #include "tests/support/random.h"
+#include "tests/support/random_tree.h"
 
 namespace bspview {
 namespace {
@@ -45,6 +47,49 @@ TEST(Stats, ExpectedCostWeighsNodesByTheirArea) {
   EXPECT_NEAR(tree_stats(small_tree()).expected_cost, expected, 1e-12);
 }
 
+double area(const Aabb& box) {
+  const Vec3d d = Vec3d(box.hi) - Vec3d(box.lo);
+  return 2.0 * (d.x * d.y + d.y * d.z + d.z * d.x);
+}
+
+/// The statistics, node after node: parents, which come first, make the cells of their children.
+TreeStats sum_over_nodes(const Tree& tree) {
+  struct Place {
+    Aabb cell;
+    int depth = 0;
+  };
+  TreeStats sum;
+  sum.volume = volume(tree.box);
+  sum.leaves_at_depth.resize(depth_cap + 1);
+  sum.leaves_with_count.resize(tree.object_count + 1);
+  std::vector<Place> places(tree.nodes.size());
+  places[0].cell = tree.box;
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const Node& node = tree.nodes[i];
+    const auto& [cell, depth] = places[i];
+    const double share = area(cell) / area(tree.box);
+    ++sum.nodes;
+    if (node.is_leaf()) {
+      ++sum.leaves;
+      ++sum.leaves_at_depth[static_cast<std::size_t>(depth)];
+      ++sum.leaves_with_count[node.count()];
+      sum.references += node.count();
+      sum.deepest_leaf = std::max(sum.deepest_leaf, depth);
+      sum.expected_cost += share * node.count() * tree.cost_intersection;
+      sum.empty_leaves += node.count() == 0 ? 1 : 0;
+      sum.full_volume += node.count() == 0 ? 0.0 : volume(cell);
+    } else {
+      ++sum.inner;
+      sum.expected_cost += share * tree.params.cost_traversal;
+      const Cells cells = split_cell(cell, node.axis(), node.split());
+      const int below = depth + 1;
+      places[node.left()] = {cells.left, below};
+      places[node.right()] = {cells.right, below};
+    }
+  }
+  return sum;
+}
+
 TEST(Stats, AStopEndsTheCount) {
   std::stop_source stop;
   EXPECT_EQ(tree_stats(small_tree(), stop.get_token()), tree_stats(small_tree()));
@@ -79,6 +124,49 @@ TEST(Stats, HistogramsAddUpToTheLeaves) {
     EXPECT_EQ(stats.references, tree->references.size());
     EXPECT_EQ(stats.nodes, tree->nodes.size());
     EXPECT_EQ(stats.leaves, stats.inner + 1);
+  }
+}
+
+/// The first is so large that other threads wake up before it is added up.
+std::vector<Tree> deep_trees() {
+  std::vector<Tree> trees{test::make_random_tree(200000, 4)};
+  trees.back().cost_intersection = 3.0f;
+  for (const Builder builder : {Builder::median, Builder::sah}) {
+    const test::BoxSet set = test::random_boxes(5000, 5);
+    trees.push_back(*build_tree(set.input(), {.builder = builder, .max_depth = 20}));
+  }
+  return trees;
+}
+
+TEST(Stats, OfADeepTreeAreTheSumOverItsNodes) {
+  for (const Tree& tree : deep_trees()) {
+    TreeStats sum = sum_over_nodes(tree);
+    const TreeStats stats = tree_stats(tree);
+    ASSERT_GE(stats.deepest_leaf, 12);
+    EXPECT_EQ(stats.nodes, sum.nodes);
+    EXPECT_EQ(stats.inner, sum.inner);
+    EXPECT_EQ(stats.leaves, sum.leaves);
+    EXPECT_EQ(stats.empty_leaves, sum.empty_leaves);
+    EXPECT_GT(stats.empty_leaves, 0u);
+    EXPECT_EQ(stats.references, sum.references);
+    EXPECT_EQ(stats.deepest_leaf, sum.deepest_leaf);
+    EXPECT_EQ(stats.volume, sum.volume);
+    EXPECT_NEAR(stats.full_volume, sum.full_volume, 1e-10 * sum.full_volume);
+    EXPECT_NEAR(stats.expected_cost, sum.expected_cost, 1e-10 * sum.expected_cost);
+    sum.leaves_at_depth.resize(stats.leaves_at_depth.size());
+    sum.leaves_with_count.resize(stats.leaves_with_count.size());
+    EXPECT_EQ(stats.leaves_at_depth, sum.leaves_at_depth);
+    EXPECT_EQ(stats.leaves_with_count, sum.leaves_with_count);
+  }
+}
+
+TEST(Stats, AreTheSameForAnyNumberOfThreads) {
+  for (const Tree& tree : deep_trees()) {
+    TreeStats alone;
+    with_threads(1, [&] { alone = tree_stats(tree); });
+    with_threads(4, [&] {
+      for (int times = 0; times < 20; ++times) ASSERT_EQ(tree_stats(tree), alone);
+    });
   }
 }
 
