@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -150,6 +152,41 @@ TEST(WideTree, CostsLessThanNodesMadeAtRandom) {
     for (int i = 0; i < 100; ++i) {
       const auto last = static_cast<std::uint32_t>(joined.nodes.size() - 1);
       ASSERT_LT(cost, cost_at_random(joined, last, random));
+    }
+  }
+}
+
+/// Steps that a ray which meets the cell of `slot` is expected to take there and below.
+double steps_in(const Wide& wide, const WideNode& node, int slot) {
+  const std::uint32_t child = node.child[slot];
+  if (child & WideNode::leaf_bit) {
+    const std::size_t objects = wide.leaves[child & ~WideNode::leaf_bit].size();
+    return std::ceil(static_cast<double>(objects) / most_joined_objects);
+  }
+  const WideNode& below = wide.wide.nodes[child];
+  double steps = 1.0;
+  for (int i = 0; i < WideNode::width && !below.box(i).empty(); ++i) {
+    steps += half_area(below.box(i)) / half_area(node.box(slot)) * steps_in(wide, below, i);
+  }
+  return steps;
+}
+
+TEST(WideTree, CellsOfMoreStepsComeFirst) {
+  Random random(8);
+  for (const int max_depth : {5, 30}) {  // with leaves of more steps than nodes, and without
+    for (const bool joins : {false, true}) {
+      const Wide wide(random_boxes(1000, 0.2f, random), {.max_depth = max_depth}, joins);
+      int falls = 0;
+      for (const WideNode& node : wide.wide.nodes) {
+        double before = std::numeric_limits<double>::infinity();
+        for (int slot = 0; slot < WideNode::width && !node.box(slot).empty(); ++slot) {
+          const double steps = steps_in(wide, node, slot);
+          ASSERT_LE(steps, before * (1.0 + 1e-4));
+          falls += slot > 0 && steps < 0.9 * before ? 1 : 0;
+          before = steps;
+        }
+      }
+      EXPECT_GT(falls, 10);
     }
   }
 }
