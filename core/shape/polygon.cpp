@@ -1,7 +1,6 @@
 #include "core/shape/polygon.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "core/math/exact.h"
 #include "core/math/float_error.h"
 #include "core/shape/heights.h"
+#include "core/shape/outline.h"
 #include "core/shape/triangle.h"
 
 namespace bspview {
@@ -158,95 +158,6 @@ double exit_of_box(const RayQuery& ray, std::span<const Vec3> vertices) {
   return exit;
 }
 
-/// A polygon while it is cut; small ones need no heap.
-class ClipBuffer {
- public:
-  void clear() { size_ = 0; }
-  void push(Vec3d point) {
-    if (size_ < inline_points) {
-      inline_[size_] = point;
-    } else {
-      if (size_ == inline_points) heap_.assign(inline_.begin(), inline_.end());
-      heap_.push_back(point);
-    }
-    ++size_;
-  }
-  std::span<const Vec3d> points() const {
-    return size_ <= inline_points ? std::span(inline_).first(size_) : std::span(heap_);
-  }
-
- private:
-  static constexpr std::size_t inline_points = 16;
-  std::array<Vec3d, inline_points> inline_;
-  std::vector<Vec3d> heap_;
-  std::size_t size_ = 0;
-};
-
-/// Half-space of the points p with sign * p[axis] >= limit.
-struct HalfSpace {
-  int axis;
-  double sign, limit;
-  double removed;  // share of the polygon's box that is outside
-};
-
-/// The sides of `cell` that cut a polygon with box `whole`, the one that removes most first.
-class Cuts {
- public:
-  Cuts(const Aabb& whole, const Aabb& cell, double margin) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double width = static_cast<double>(whole.hi[axis]) - whole.lo[axis];
-      const double below = static_cast<double>(cell.lo[axis]) - whole.lo[axis];
-      const double above = static_cast<double>(whole.hi[axis]) - cell.hi[axis];
-      if (below > 0.0) add({axis, 1.0, cell.lo[axis] - margin, below / width});
-      if (above > 0.0) add({axis, -1.0, -cell.hi[axis] - margin, above / width});
-    }
-  }
-  std::span<const HalfSpace> all() const { return std::span(cuts_).first(count_); }
-
- private:
-  void add(const HalfSpace& cut) {
-    cuts_[count_] = cut;
-    if (cut.removed > cuts_[0].removed) std::swap(cuts_[0], cuts_[count_]);
-    ++count_;
-  }
-
-  std::array<HalfSpace, 6> cuts_;
-  std::size_t count_ = 0;
-};
-
-/// One step of Sutherland & Hodgman (1974).
-template <class Point>
-void clip_once(std::span<const Point> in, const HalfSpace& half, ClipBuffer& out) {
-  out.clear();
-  const auto height = [&](const Point& p) { return half.sign * p[half.axis]; };
-  const Point* p = &in.back();
-  bool p_inside = height(*p) >= half.limit;
-  for (const Point& q : in) {
-    const bool q_inside = height(q) >= half.limit;
-    if (p_inside != q_inside) {
-      const double share = (half.limit - height(*p)) / (height(q) - height(*p));
-      out.push(Vec3d(*p) + share * (Vec3d(q) - Vec3d(*p)));
-    }
-    if (q_inside) out.push(Vec3d(q));
-    p = &q;
-    p_inside = q_inside;
-  }
-}
-
-Aabb rounded_box(std::span<const Vec3d> points, double margin) {
-  Vec3d lo = points[0], hi = points[0];
-  for (const Vec3d& p : points) {
-    lo = glm::min(lo, p);
-    hi = glm::max(hi, p);
-  }
-  Aabb box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = round_down(lo[axis] - margin);
-    box.hi[axis] = round_up(hi[axis] + margin);
-  }
-  return box;
-}
-
 double largest_magnitude(const Aabb& a) {
   return largest_component(glm::max(magnitudes(a.lo), magnitudes(a.hi)));
 }
@@ -305,19 +216,10 @@ Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& whole, const Aabb&
 
   // Cutting 12 times in double is off by far less than 2^-48 of the largest coordinate.
   const double margin = 0x1p-48 * std::max(largest_magnitude(whole), largest_magnitude(cell));
-  const Cuts cuts(whole, cell, margin);
-  if (cuts.all().empty()) return whole;
-  ClipBuffer buffers[2];
-  ClipBuffer* part = &buffers[0];
-  ClipBuffer* spare = &buffers[1];
-  clip_once(vertices, cuts.all()[0], *part);
-  for (const HalfSpace& cut : cuts.all().subspan(1)) {
-    if (part->points().empty()) return Aabb{};
-    clip_once(part->points(), cut, *spare);
-    std::swap(part, spare);
-  }
-  if (part->points().empty()) return Aabb{};
-  return intersection(rounded_box(part->points(), margin), overlap);
+  if (overlap == whole) return whole;
+  OutlineRooms rooms;
+  const Outline part = find_outline(vertices, whole, cell, margin, rooms);
+  return part.empty() ? Aabb{} : intersection(box_of(part, margin), overlap);
 }
 
 /// 1 + the cosine of the angle in which an edge is seen: below this, from the edge itself.

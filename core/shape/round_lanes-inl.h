@@ -16,24 +16,34 @@
 HWY_BEFORE_NAMESPACE();
 namespace bspview::HWY_NAMESPACE {
 
-/// A vector in each lane.
-struct LaneVectors {
-  FloatV x, y, z;
+/// A vector in each lane, of floats or doubles.
+template <class V>
+struct VectorsInLanes {
+  V x, y, z;
 
-  HWY_INLINE FloatV dot(const LaneVectors& other) const {
+  HWY_INLINE V dot(const VectorsInLanes& other) const {
     return hn::Add(hn::Add(hn::Mul(x, other.x), hn::Mul(y, other.y)), hn::Mul(z, other.z));
   }
-  HWY_INLINE LaneVectors cross(const LaneVectors& other) const {
-    const auto minor = [](FloatV a, FloatV b, FloatV c, FloatV d) {
-      return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
-    };
+  HWY_INLINE VectorsInLanes cross(const VectorsInLanes& other) const {
+    const auto minor = [](V a, V b, V c, V d) { return hn::Sub(hn::Mul(a, b), hn::Mul(c, d)); };
     return {minor(y, other.z, z, other.y), minor(z, other.x, x, other.z),
             minor(x, other.y, y, other.x)};
   }
-  HWY_INLINE FloatV sum_of_magnitudes() const {
+  HWY_INLINE V sum_of_magnitudes() const {
     return hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
   }
+  HWY_INLINE VectorsInLanes operator+(const VectorsInLanes& other) const {
+    return {hn::Add(x, other.x), hn::Add(y, other.y), hn::Add(z, other.z)};
+  }
+  HWY_INLINE VectorsInLanes operator-(const VectorsInLanes& other) const {
+    return {hn::Sub(x, other.x), hn::Sub(y, other.y), hn::Sub(z, other.z)};
+  }
+  HWY_INLINE VectorsInLanes operator*(V factor) const {
+    return {hn::Mul(factor, x), hn::Mul(factor, y), hn::Mul(factor, z)};
+  }
 };
+using LaneVectors = VectorsInLanes<FloatV>;
+using WideLaneVectors = VectorsInLanes<DoubleV>;
 
 HWY_INLINE LaneVectors directions(const RayLanes& rays) {
   return {load(rays.direction[0]), load(rays.direction[1]), load(rays.direction[2])};
@@ -74,31 +84,6 @@ HWY_INLINE unsigned lanes_near_cone(const RayLanes& rays, const Cone& cone) {
                              hn::Add(error, all(0x1p-120f)));
   return ~bits_of(floats, hn::Gt(hn::Abs(f.dot(n)), far));
 }
-
-/// A vector in double in each lane.
-struct WideLaneVectors {
-  DoubleV x, y, z;
-
-  HWY_INLINE DoubleV dot(const WideLaneVectors& other) const {
-    return hn::Add(hn::Add(hn::Mul(x, other.x), hn::Mul(y, other.y)), hn::Mul(z, other.z));
-  }
-  HWY_INLINE WideLaneVectors cross(const WideLaneVectors& other) const {
-    const auto minor = [](DoubleV a, DoubleV b, DoubleV c, DoubleV d) {
-      return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
-    };
-    return {minor(y, other.z, other.y, z), minor(z, other.x, other.z, x),
-            minor(x, other.y, other.x, y)};
-  }
-  HWY_INLINE WideLaneVectors operator+(const WideLaneVectors& other) const {
-    return {hn::Add(x, other.x), hn::Add(y, other.y), hn::Add(z, other.z)};
-  }
-  HWY_INLINE WideLaneVectors operator-(const WideLaneVectors& other) const {
-    return {hn::Sub(x, other.x), hn::Sub(y, other.y), hn::Sub(z, other.z)};
-  }
-  HWY_INLINE WideLaneVectors operator*(DoubleV factor) const {
-    return {hn::Mul(factor, x), hn::Mul(factor, y), hn::Mul(factor, z)};
-  }
-};
 
 HWY_INLINE WideLaneVectors all(const Vec3d& v) {
   return {all(v.x), all(v.y), all(v.z)};
