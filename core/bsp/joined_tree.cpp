@@ -4,10 +4,12 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/bsp/object_groups.h"
 
 namespace bspview {
 namespace {
@@ -123,8 +125,32 @@ class Joiner {
       below.few.assign(ids);
     } else {
       below.what = Below::What::node;
-      below.node = add_leaf(below.box, ids);
+      below.node = ids.size() <= ObjectGroups::most_objects ? add_groups(ids, cell)
+                                                            : add_leaf(below.box, ids);
     }
+  }
+
+  std::uint32_t add_groups(std::span<const std::uint32_t> ids, const Aabb& cell) {
+    groups_.clear();
+    for (const std::uint32_t id : ids) {
+      const Aabb box = intersection(objects_[id].box, cell);
+      if (!box.empty()) groups_.add(id, box, objects_[id].joins);
+    }
+    return add_group(groups_.sort(), ObjectGroups::most_levels);
+  }
+
+  std::uint32_t add_group(ObjectGroups::Range group, int levels) {
+    const Aabb box = groups_.box(group);
+    const auto place = levels > 0 ? groups_.split(group) : std::nullopt;
+    if (place) {
+      const std::uint32_t first = add_group({group.first, *place}, levels - 1);
+      return add_inner(box, first, add_group({*place, group.last}, levels - 1));
+    }
+    std::array<std::uint32_t, ObjectGroups::most_objects> ids;
+    const std::span<std::uint32_t> some = std::span(ids).first(group.size());
+    for (std::size_t i = 0; i < some.size(); ++i) some[i] = groups_.id(group.first + i);
+    std::ranges::sort(some);
+    return add_leaf(box, some);
   }
 
   std::uint32_t add_leaf(const Aabb& box, std::span<const std::uint32_t> ids) {
@@ -154,6 +180,7 @@ class Joiner {
   const std::span<const WideObject> objects_;
   const std::stop_token& stop_;
   JoinedTree& joined_;
+  ObjectGroups groups_;
 };
 
 /// A branch that one thread goes through.

@@ -11,7 +11,7 @@
 namespace bspview {
 
 struct JoinedNode {
-  Aabb box;             ///< of the parts of objects in its cell
+  Aabb box;             ///< of the parts of objects in its cell, or in its group
   std::uint32_t inner;  ///< inner nodes from here down; 0: it is a leaf
   std::uint32_t first;  ///< left child; of a leaf: index of its first object
   std::uint32_t other;  ///< right child; of a leaf: number of its objects
@@ -31,8 +31,8 @@ struct CellShares {
 /// `cells`: 2 to WideNode::width.
 CellShares share_cells(const JoinedNode& left, const JoinedNode& right, int cells);
 
-/// A binary tree without empty leaves, whose leaves of few objects are joined with their
-/// neighbours where they may be.
+/// A binary tree without empty leaves. Leaves of few objects are joined with their neighbours where
+/// they may be, the objects of larger ones are dealt out to groups (ObjectGroups).
 struct JoinedTree {
   RawVector<JoinedNode> nodes;       ///< children come before their parents; the last is the root
   RawVector<std::uint32_t> objects;  ///< ascending ids in every leaf

@@ -139,7 +139,7 @@ class WideStack {
 
  private:
   // Not initialized; one more than is ever used, for push_if.
-  std::uint64_t entries_[(WideNode::width - 1) * (depth_cap + 1) + 3];
+  std::uint64_t entries_[(WideNode::width - 1) * (WideTree::most_levels + 1) + 3];
   std::uint64_t* top_;
 };
 

@@ -6,6 +6,7 @@
 #include <stop_token>
 
 #include "core/base/raw_vector.h"
+#include "core/bsp/object_groups.h"
 #include "core/bsp/tree.h"
 
 namespace bspview {
@@ -39,8 +40,11 @@ struct alignas(64) WideNode {
 
 /// A BSP tree in nodes of eight cells, for rays that test them all at once: what a ray does in
 /// three or more steps of the binary tree, most of them mispredicted, is one step here. Its cells
-/// are disjoint as those of the binary tree: whatever a ray hits in the nearest is the nearest hit.
+/// are disjoint as those of the binary tree, but for those of the groups that a leaf's objects are
+/// dealt out to: what a ray hits in one of these may be behind what it hits in the next.
 struct WideTree {
+  static constexpr int most_levels = depth_cap + ObjectGroups::most_levels;
+
   /// Depth first, so that a branch lies together. nodes[0] is the root; a lone leaf is its only
   /// child.
   RawVector<WideNode> nodes;
@@ -48,7 +52,8 @@ struct WideTree {
   std::size_t bytes() const { return nodes.size() * sizeof(WideNode); }
 };
 
-/// The objects of the leaves of a wide tree, the leaves in the order of the nodes.
+/// The objects of the leaves of a wide tree, the leaves in the order of the nodes. Each leaf is one
+/// of the binary tree, several that were joined, or a group of the objects of one.
 struct WideLeaves {
   struct Range {
     std::uint32_t first, count;  ///< of `objects`
@@ -67,10 +72,10 @@ struct WideLeaves {
 /// What a wide tree has to know of an object.
 struct WideObject {
   Aabb box;            ///< as the tree was built with, or larger
-  bool joins = false;  ///< leaves of few such objects may become one, see most_joined_objects
+  bool joins = false;  ///< is tested together with others, see most_joined_objects
 };
 
-/// Leaves are joined where so many objects at once cost no more than one.
+/// So many objects at once cost no more than one: leaves of fewer are joined.
 inline constexpr int most_joined_objects = 8;
 
 struct Widened {

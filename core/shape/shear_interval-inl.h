@@ -44,7 +44,7 @@ class ShearInterval {
       side.base = rays.origin[side.axis][first];
       const FloatV shear = load(i == 0 ? rays.shear_x : rays.shear_y);
       const FloatV x = hn::Sub(load(rays.origin[side.axis]), all(side.base));
-      const FloatV intercept = hn::Sub(x, hn::Mul(shear, z));
+      const FloatV intercept = hn::NegMulAdd(shear, z, x);
       const float least_shear = least(shear), greatest_shear = greatest(shear);
       side.shear = 0.5f * (least_shear + greatest_shear);
       side.shear_radius = 0.5f * (greatest_shear - least_shear);
@@ -96,14 +96,14 @@ class ShearInterval {
       constexpr BlockTag tag;
       const auto place = [&](int i) {
         const BlockV x = hn::Sub(hn::Load(tag, block.vertices[i][axis] + slot), hn::Set(tag, base));
-        return hn::Sub(x, hn::Mul(hn::Set(tag, shear), depths[i]));
+        return hn::NegMulAdd(hn::Set(tag, shear), depths[i], x);
       };
       const BlockV a = place(0), b = place(1), c = place(2);
       const BlockV depth =
           hn::Max(hn::Max(hn::Abs(depths[0]), hn::Abs(depths[1])), hn::Abs(depths[2]));
-      const BlockV radius = hn::Mul(hn::Set(tag, shear_radius), depth);
-      const BlockV low = hn::Sub(hn::Min(a, hn::Min(b, c)), radius);
-      const BlockV high = hn::Add(hn::Max(a, hn::Max(b, c)), radius);
+      const BlockV radius = hn::Set(tag, shear_radius);
+      const BlockV low = hn::NegMulAdd(radius, depth, hn::Min(a, hn::Min(b, c)));
+      const BlockV high = hn::MulAdd(radius, depth, hn::Max(a, hn::Max(b, c)));
       return hn::And(hn::Le(low, hn::Set(tag, greatest)), hn::Ge(high, hn::Set(tag, least)));
     }
 

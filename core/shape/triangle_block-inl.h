@@ -1,6 +1,7 @@
-// The triangle test of one ray against eight triangles, as hit_triangle (core/shape/triangle.h),
-// bit for bit. Included once for every instruction set that Highway (hwy/foreach_target.h) compiles
-// for.
+// The triangle test of one ray against eight triangles. It answers as hit_triangle
+// (core/shape/triangle.h), bit for bit: where fused products round less than that does, they may
+// leave fewer signs open, and what is decided is the same. Included once for every instruction set
+// that Highway (hwy/foreach_target.h) compiles for.
 
 #if defined(BSPVIEW_TRIANGLE_BLOCK) == defined(HWY_TARGET_TOGGLE)
 #ifdef BSPVIEW_TRIANGLE_BLOCK
@@ -48,13 +49,13 @@ struct ProjectedTriangles {
         return hn::Sub(hn::Load(tag, block.vertices[i][axis] + first), hn::Set(tag, origin));
       };
       const V z = coordinate(ray.kz, ray.turned.z);
-      x[i] = hn::Sub(coordinate(ray.kx, ray.turned.x), hn::Mul(shear_x, z));
-      y[i] = hn::Sub(coordinate(ray.ky, ray.turned.y), hn::Mul(shear_y, z));
+      x[i] = hn::NegMulAdd(shear_x, z, coordinate(ray.kx, ray.turned.x));
+      y[i] = hn::NegMulAdd(shear_y, z, coordinate(ray.ky, ray.turned.y));
     }
   }
 
   HWY_INLINE V edge_area(int p, int q) const {
-    return hn::Sub(hn::Mul(x[p], y[q]), hn::Mul(y[p], x[q]));
+    return hn::MulSub(x[p], y[q], hn::Mul(y[p], x[q]));
   }
   HWY_INLINE V size(int p) const { return hn::Add(hn::Abs(x[p]), hn::Abs(y[p])); }
 
@@ -73,8 +74,8 @@ HWY_INLINE BlockHits find_triangles(const AnyRay& ray, const TriangleBlock& bloc
     const V size = hn::Max(hn::Max(t.size(0), t.size(1)), t.size(2));
     const float r = ray.reach_error;
     const V slope =
-        hn::Add(hn::Set(tag, 18.0f * r), hn::Mul(hn::Set(tag, 4.0f * unit_roundoff), size));
-    const V bound = hn::Add(hn::Mul(slope, size), hn::Set(tag, 160.0f * r * r + 0x1p-120f));
+        hn::MulAdd(hn::Set(tag, 4.0f * unit_roundoff), size, hn::Set(tag, 18.0f * r));
+    const V bound = hn::MulAdd(slope, size, hn::Set(tag, 160.0f * r * r + 0x1p-120f));
     const V least = hn::Min(u, hn::Min(v, w)), greatest = hn::Max(u, hn::Max(v, w));
     const V below = hn::Neg(bound);
     const auto bits = [&](hn::Mask<decltype(tag)> mask) {

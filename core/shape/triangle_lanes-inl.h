@@ -70,13 +70,13 @@ struct TriangleInLanes {
         return hn::Sub(all(block.vertices[i][axis][slot]), load(rays.origin[axis]));
       };
       const FloatV z = coordinate(rays.kz);
-      x[i] = hn::Sub(coordinate(rays.kx), hn::Mul(shear_x, z));
-      y[i] = hn::Sub(coordinate(rays.ky), hn::Mul(shear_y, z));
+      x[i] = hn::NegMulAdd(shear_x, z, coordinate(rays.kx));
+      y[i] = hn::NegMulAdd(shear_y, z, coordinate(rays.ky));
     }
   }
 
   HWY_INLINE FloatV edge_area(int p, int q) const {
-    return hn::Sub(hn::Mul(x[p], y[q]), hn::Mul(y[p], x[q]));
+    return hn::MulSub(x[p], y[q], hn::Mul(y[p], x[q]));
   }
   HWY_INLINE FloatV size(int p) const { return hn::Add(hn::Abs(x[p]), hn::Abs(y[p])); }
 
@@ -90,8 +90,8 @@ HWY_INLINE TriangleLanes find_triangle_lanes(const RayLanes& rays, const Triangl
   const FloatV u = t.edge_area(2, 1), v = t.edge_area(0, 2), w = t.edge_area(1, 0);
   const FloatV size = hn::Max(hn::Max(t.size(0), t.size(1)), t.size(2));
   const float r = rays.reach_error;
-  const FloatV slope = hn::Add(all(18.0f * r), hn::Mul(all(4.0f * unit_roundoff), size));
-  const FloatV bound = hn::Add(hn::Mul(slope, size), all(160.0f * r * r + 0x1p-120f));
+  const FloatV slope = hn::MulAdd(all(4.0f * unit_roundoff), size, all(18.0f * r));
+  const FloatV bound = hn::MulAdd(slope, size, all(160.0f * r * r + 0x1p-120f));
   const FloatV least = hn::Min(u, hn::Min(v, w)), greatest = hn::Max(u, hn::Max(v, w));
   const FloatV below = hn::Neg(bound);
   return {bits_of(floats, hn::Or(hn::Ge(least, below), hn::Le(greatest, bound))),

@@ -78,9 +78,15 @@ Vec3 point_in(const Aabb& box, Random& random) {
 
 TEST(WideTree, LeadsToEveryObjectFromEveryPointOfItsBox) {
   Random random(1);
-  for (const Builder builder : {Builder::median, Builder::sah}) {
+  const BuildParams builds[] = {
+      {.builder = Builder::median},
+      {.builder = Builder::sah},
+      {.builder = Builder::sah, .max_depth = 3},  // leaves whose objects are dealt out to groups
+      {.builder = Builder::sah, .max_depth = 0},  // one that is too large for that
+  };
+  for (const BuildParams& params : builds) {
     for (const bool joins : {false, true}) {
-      const Wide widened(random_boxes(500, 0.2f, random), {.builder = builder}, joins);
+      const Wide widened(random_boxes(500, 0.2f, random), params, joins);
       for (std::uint32_t object = 0; object < widened.boxes.size(); ++object) {
         const Aabb& box = widened.boxes[object];
         for (const Vec3 point : {box.lo, box.hi, point_in(box, random), point_in(box, random)}) {
@@ -191,18 +197,25 @@ TEST(WideTree, CellsOfMoreStepsComeFirst) {
   }
 }
 
+bool is_in_one_leaf(const Tree& tree, std::span<const std::uint32_t> objects) {
+  return std::ranges::any_of(tree.nodes, [&](const Node& node) {
+    return node.is_leaf() && std::ranges::includes(tree.objects_of(node), objects);
+  });
+}
+
 TEST(WideTree, JoinsLeavesOfFewObjectsOnlyWhereTheyMay) {
   Random random(3);
   const std::vector<Aabb> boxes = random_boxes(300, 0.1f, random);
   const Wide joined(boxes, {}, true), apart(boxes, {}, false);
   EXPECT_LT(joined.leaves.size(), apart.leaves.size());
-  std::size_t full = 0, largest = most_joined_objects;
+  std::size_t largest = most_joined_objects;
   for (const Node& node : apart.tree.nodes) {
-    if (!node.is_leaf() || node.count() == 0) continue;
-    ++full;
-    largest = std::max<std::size_t>(largest, node.count());
+    if (node.is_leaf()) largest = std::max<std::size_t>(largest, node.count());
   }
-  EXPECT_EQ(apart.leaves.size(), full);
+  for (std::size_t i = 0; i < apart.leaves.size(); ++i) {
+    EXPECT_TRUE(is_in_one_leaf(apart.tree, apart.leaves[i]));
+  }
+  EXPECT_EQ(apart.leaves.objects.size(), apart.tree.references.size());
   for (std::size_t i = 0; i < joined.leaves.size(); ++i) {
     const auto leaf = joined.leaves[i];
     EXPECT_LE(leaf.size(), largest);

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "core/math/aabb.h"
+
+namespace bspview {
+
+/// The objects of a leaf, to be dealt out to groups in boxes of their own: a plane would cut many
+/// of them long before a ray that passes their leaf meets most. Groups are split by the surface
+/// area heuristic over sorted objects (Goldsmith & Salmon 1987), whose boxes may overlap.
+class ObjectGroups {
+ public:
+  /// Of one leaf; larger ones are as their builder was asked to leave them.
+  static constexpr std::size_t most_objects = 256;
+  /// Below one leaf.
+  static constexpr int most_levels = 16;
+  /// What a ray pays for a box, in tests of eight objects at once; as measured.
+  static constexpr float box_cost = 1.2f;
+  /// The same for an object that is tested by itself.
+  static constexpr int lone_cost = 2;
+
+  /// Some of the objects, by their places.
+  struct Range {
+    std::size_t first, last;
+    std::size_t size() const { return last - first; }
+  };
+
+  void clear() { size_ = 0; }
+  /// What of an object lies in the leaf; at most most_objects. `is_eighth`: eight like it are
+  /// tested at once.
+  void add(std::uint32_t id, const Aabb& box, bool is_eighth);
+  /// Once all are there.
+  Range sort();
+
+  /// Deals a group out to two, the second from the place of the answer on; or nothing where one box
+  /// is the best.
+  std::optional<std::size_t> split(Range group);
+
+  Aabb box(Range group) const;
+  std::uint32_t id(std::size_t place) const { return objects_[order_[0][place]].id; }
+
+ private:
+  /// A box by -lo and hi: the greatest of both sides make the box around two.
+  struct alignas(16) Sides {
+    Sides();
+    explicit Sides(const Aabb& box);
+    void grow(const Sides& other);
+    float half_area() const;
+
+    float below[4], above[4];
+  };
+  struct Object {
+    Sides sides;
+    std::uint32_t id, eighths;  ///< of a test
+  };
+  struct Split {
+    float cost;
+    int axis = -1;
+    std::size_t place = 0;
+  };
+
+  const Object& object(int axis, std::size_t place) const { return objects_[order_[axis][place]]; }
+  Split worst_split(Range group) const;
+  void find_best(int axis, Range group, Split& best);
+  void partition(int axis, Range group);
+
+  std::size_t size_ = 0;
+  std::array<Object, most_objects> objects_;
+  std::array<std::array<std::uint8_t, most_objects>, 3> order_;  // by axis: objects by their middle
+  std::array<float, most_objects> cost_before_;  // by place: of the objects before it in the group
+  std::array<bool, most_objects> is_second_;     // by object: in the group of two
+};
+
+}  // namespace bspview
