@@ -132,7 +132,7 @@ class RayInterval3 {
       hn::Store(first, cell_tag, enter + i);
       std::uint8_t bits[8] = {};
       hn::StoreMaskBits(cell_tag, hn::Le(first, hn::Mul(last, hn::Set(cell_tag, passing))), bits);
-      found |= static_cast<unsigned>(bits[0]) << i;
+      found |= static_cast<unsigned>(bits[0] | bits[1] << 8) << i;
     }
     return found;
   }

@@ -76,12 +76,12 @@ HWY_INLINE unsigned find_cells(const WideNode& node, const WideRay& ray, float r
     hn::Store(first, cell_tag, enter + i);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(cell_tag, hn::Le(first, last), bits);
-    found |= static_cast<unsigned>(bits[0]) << i;
+    found |= static_cast<unsigned>(bits[0] | bits[1] << 8) << i;
   }
   return found;
 }
 
-/// Cells still to visit, the next one on top. Every level of the tree leaves at most seven.
+/// Cells still to visit, the next one on top. Every level of the tree leaves all but one.
 class WideStack {
  public:
   /// Below all cells: a leaf that is none.
@@ -169,7 +169,7 @@ HWY_INLINE std::uint32_t go_down(const WideTree& tree, const WideRay& ray, float
                                  std::uint32_t child, WideStack& stack) {
   while (!(child & WideNode::leaf_bit)) {
     const WideNode& node = tree.nodes[child];
-    alignas(32) float enter[WideNode::width];
+    alignas(64) float enter[WideNode::width];
     const unsigned slots = find_cells(node, ray, reach, enter);
     child = slots != 0 ? take_nearest(node, slots, enter, stack) : stack.pop_child(reach);
   }

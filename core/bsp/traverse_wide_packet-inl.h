@@ -39,7 +39,7 @@ HWY_NOINLINE void traverse_wide_packets(const WideTree& tree, const PacketWalks&
   WideStack stack;
   float reach = farthest_reach(walks, packets);
   for (;;) {
-    alignas(32) float enter[WideNode::width];
+    alignas(64) float enter[WideNode::width];
     const unsigned slots = rays.find_cells(tree.nodes[index], reach, enter);
     const auto name_of = [&](int slot) {
       return index * WideNode::width + static_cast<unsigned>(slot);

@@ -11,11 +11,11 @@
 
 namespace bspview {
 
-/// Up to eight cells of a BSP tree side by side, each shrunk to the boxes of what it holds. Empty
+/// Up to sixteen cells of a BSP tree side by side, each shrunk to the boxes of what it holds. Empty
 /// cells are left out. A slot without a cell has an empty box (lo = inf, hi = -inf). Cells below
 /// which the fewest steps are expected come last.
 struct alignas(64) WideNode {
-  static constexpr int width = 8;
+  static constexpr int width = 16;
   static constexpr std::uint32_t leaf_bit = 0x80000000u;
 
   float bounds[6][width];      ///< rows: lo and hi of x, of y, of z
@@ -38,8 +38,8 @@ struct alignas(64) WideNode {
   }
 };
 
-/// A BSP tree in nodes of eight cells, for rays that test them all at once: what a ray does in
-/// three or more steps of the binary tree, most of them mispredicted, is one step here. Its cells
+/// A BSP tree in nodes of sixteen cells, for rays that test them all at once: what a ray does in
+/// four or more steps of the binary tree, most of them mispredicted, is one step here. Its cells
 /// are disjoint as those of the binary tree, but for those of the groups that a leaf's objects are
 /// dealt out to: what a ray hits in one of these may be behind what it hits in the next.
 struct WideTree {

@@ -154,49 +154,65 @@ struct WideTriangles {
   V corner[3], edge1[3], edge2[3];
 };
 
-/// Tells of the `wanted` slots, and may of others, what the first stage of hit_triangle_plane does.
+/// So many triangles meet a ray in double at once: mostly one is wanted, and wider vectors take
+/// longer.
+using PlaneTag = hn::CappedTag<double, 4>;
+
+/// Tells of the `wanted` slots from `first` on, and may of others, what the first stage of
+/// hit_triangle_plane does.
+template <class AnyRay>
+HWY_INLINE void find_some_planes(const AnyRay& ray, const TriangleBlock& block, unsigned wanted,
+                                 std::size_t first, BlockPlanes& planes) {
+  constexpr PlaneTag tag;
+  using V = hn::Vec<PlaneTag>;
+  const V zero = hn::Zero(tag);
+  const WideTriangles<PlaneTag> triangles(tag, block, first);
+  V way[3], slope = zero, height = zero;
+  for (int axis = 0; axis < 3; ++axis) {
+    const V normal = triangles.normal(axis);
+    way[axis] = hn::Sub(triangles.corner[axis], hn::Set(tag, ray.wide_origin[axis]));
+    const V slope_here = hn::Mul(normal, hn::Set(tag, ray.wide_direction[axis]));
+    const V height_here = hn::Mul(normal, way[axis]);
+    slope = axis == 0 ? slope_here : hn::Add(slope, slope_here);
+    height = axis == 0 ? height_here : hn::Add(height, height_here);
+  }
+  const V area_size = hn::Mul(triangles.sum_of_magnitudes(triangles.edge1),
+                              triangles.sum_of_magnitudes(triangles.edge2));
+  const V height_size = hn::Mul(area_size, triangles.sum_of_magnitudes(way));
+  const V slope_size = hn::Mul(hn::Mul(hn::Set(tag, 0x1p-25), area_size),
+                               hn::Set(tag, sum_of_magnitudes(ray.wide_direction)));
+  const auto slope_open = hn::Lt(hn::Abs(slope), slope_size);
+  const auto height_open = hn::Lt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-25), height_size));
+  // Signs that differ: t < 0, as most are where rays leave a surface.
+  const auto behind = hn::And(hn::Lt(hn::Xor(height, slope), zero),
+                              hn::Ge(hn::Set(tag, ray.t_min), zero));
+  const auto is_clear =
+      hn::And(behind, hn::Gt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-48), height_size)));
+  const auto open = hn::Or(slope_open, hn::AndNot(is_clear, height_open));
+  const auto bits = [&](hn::Mask<PlaneTag> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(tag, mask, bytes);
+    return static_cast<unsigned>(bytes[0]) << first;
+  };
+  planes.open |= bits(open);
+  if ((wanted & ~bits(hn::Or(behind, open)) & (((1u << hn::Lanes(tag)) - 1u) << first)) == 0) return;
+  const V t = hn::Div(height, slope);
+  const auto inside =
+      hn::And(hn::Lt(hn::Set(tag, ray.t_min), t), hn::Lt(t, hn::Set(tag, ray.t_max)));
+  hn::StoreU(t, tag, planes.t + first);
+  planes.hit |= bits(hn::AndNot(open, inside));
+  planes.behind |= bits(hn::Gt(slope, zero));
+}
+
+/// The same of all the wanted slots, at least one.
 template <class AnyRay>
 HWY_INLINE void find_planes(const AnyRay& ray, const TriangleBlock& block, unsigned wanted,
                             BlockPlanes& planes) {
-  constexpr hn::CappedTag<double, TriangleBlock::width> tag;
-  using V = hn::Vec<decltype(tag)>;
-  const std::size_t step = hn::Lanes(tag);
-  const V zero = hn::Zero(tag);
-  for (std::size_t first = 0; first < TriangleBlock::width; first += step) {
-    if ((wanted >> first & ((1u << step) - 1u)) == 0) continue;
-    const WideTriangles<hn::CappedTag<double, TriangleBlock::width>> triangles(tag, block, first);
-    V way[3], slope = zero, height = zero;
-    for (int axis = 0; axis < 3; ++axis) {
-      const V normal = triangles.normal(axis);
-      way[axis] = hn::Sub(triangles.corner[axis], hn::Set(tag, ray.wide_origin[axis]));
-      const V slope_here = hn::Mul(normal, hn::Set(tag, ray.wide_direction[axis]));
-      const V height_here = hn::Mul(normal, way[axis]);
-      slope = axis == 0 ? slope_here : hn::Add(slope, slope_here);
-      height = axis == 0 ? height_here : hn::Add(height, height_here);
-    }
-    const V t = hn::Div(height, slope);
-    const V area_size = hn::Mul(triangles.sum_of_magnitudes(triangles.edge1),
-                                triangles.sum_of_magnitudes(triangles.edge2));
-    const V height_size = hn::Mul(area_size, triangles.sum_of_magnitudes(way));
-    const V slope_size = hn::Mul(hn::Mul(hn::Set(tag, 0x1p-25), area_size),
-                                 hn::Set(tag, sum_of_magnitudes(ray.wide_direction)));
-    const auto slope_open = hn::Lt(hn::Abs(slope), slope_size);
-    const auto height_open = hn::Lt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-25), height_size));
-    const auto behind = hn::And(
-        hn::Lt(t, zero), hn::Gt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-48), height_size)));
-    const auto is_clear = hn::And(behind, hn::Ge(hn::Set(tag, ray.t_min), zero));
-    const auto open = hn::Or(slope_open, hn::AndNot(is_clear, height_open));
-    const auto inside =
-        hn::And(hn::Lt(hn::Set(tag, ray.t_min), t), hn::Lt(t, hn::Set(tag, ray.t_max)));
-    const auto bits = [&](hn::Mask<decltype(tag)> mask) {
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(tag, mask, bytes);
-      return static_cast<unsigned>(bytes[0]) << first;
-    };
-    hn::Store(t, tag, planes.t + first);
-    planes.hit |= bits(hn::AndNot(open, inside));
-    planes.open |= bits(open);
-    planes.behind |= bits(hn::Gt(slope, zero));
+  const unsigned lanes = static_cast<unsigned>(hn::Lanes(PlaneTag()));
+  for (unsigned rest = wanted; rest != 0;) {
+    const unsigned first = static_cast<unsigned>(__builtin_ctz(rest)) & ~(lanes - 1u);
+    find_some_planes(ray, block, wanted, first, planes);
+    rest &= ~(((1u << lanes) - 1u) << first);
   }
 }
 

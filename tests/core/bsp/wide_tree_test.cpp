@@ -110,7 +110,7 @@ TEST(WideTree, HoldsNothingInSlotsWithoutACell) {
   EXPECT_EQ(used + empty, WideNode::width * widened.wide.nodes.size());
 }
 
-/// What a ray is expected to cost from a node of the binary tree down, when nodes of eight are made
+/// What a ray is expected to cost from a node of the binary tree down, when wide nodes are made
 /// of it at random.
 double cost_at_random(const JoinedTree& tree, std::uint32_t index, Random& random) {
   const JoinedNode& node = tree.nodes[index];
@@ -181,7 +181,7 @@ TEST(WideTree, CellsOfMoreStepsComeFirst) {
   Random random(8);
   for (const int max_depth : {5, 30}) {  // with leaves of more steps than nodes, and without
     for (const bool joins : {false, true}) {
-      const Wide wide(random_boxes(1000, 0.2f, random), {.max_depth = max_depth}, joins);
+      const Wide wide(random_boxes(3000, 0.2f, random), {.max_depth = max_depth}, joins);
       int falls = 0;
       for (const WideNode& node : wide.wide.nodes) {
         double before = std::numeric_limits<double>::infinity();
