@@ -130,9 +130,8 @@ class RayInterval3 {
         last = hn::Min(last, hn::Max(hn::Mul(far, a), hn::Mul(far, b)));
       }
       hn::Store(first, cell_tag, enter + i);
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(cell_tag, hn::Le(first, hn::Mul(last, hn::Set(cell_tag, passing))), bits);
-      found |= static_cast<unsigned>(bits[0] | bits[1] << 8) << i;
+      last = hn::Mul(last, hn::Set(cell_tag, passing));
+      found |= bits_of(cell_tag, hn::Le(first, last)) << i;
     }
     return found;
   }

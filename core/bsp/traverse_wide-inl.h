@@ -16,6 +16,7 @@
 
 #include "core/bsp/ray_walk.h"
 #include "core/bsp/wide_tree.h"
+#include "core/math/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace bspview::HWY_NAMESPACE {
@@ -74,9 +75,7 @@ HWY_INLINE unsigned find_cells(const WideNode& node, const WideRay& ray, float r
     const CellV first = hn::Max(near(0), hn::Max(near(1), hn::Max(near(2), start)));
     const CellV last = hn::Min(far(0), hn::Min(far(1), hn::Min(far(2), end)));
     hn::Store(first, cell_tag, enter + i);
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(cell_tag, hn::Le(first, last), bits);
-    found |= static_cast<unsigned>(bits[0] | bits[1] << 8) << i;
+    found |= bits_of(cell_tag, hn::Le(first, last)) << i;
   }
   return found;
 }

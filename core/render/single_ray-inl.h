@@ -140,7 +140,10 @@ class SingleRay {
     reach_ = any ? -1.0f : static_cast<float>(t) * hit_margin;
   }
 
-  HWY_NOINLINE void make_query() { query_.emplace(ExactShapes::query(world_, ray_)); }
+  /// In place: what is copied as soon as it was written waits for its pieces.
+  HWY_NOINLINE void make_query() {
+    query_.emplace(ray_, reach_of(world_.tree.box, ray_.origin), triangles);
+  }
   HWY_INLINE const RayQuery& query() {
     if (!query_) make_query();
     return *query_;

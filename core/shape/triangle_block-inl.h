@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <span>
 
+#include "core/math/mask_bits-inl.h"
 #include "core/shape/triangle.h"
 #include "core/shape/triangle_block.h"
 
@@ -54,9 +55,7 @@ struct ProjectedTriangles {
     }
   }
 
-  HWY_INLINE V edge_area(int p, int q) const {
-    return hn::MulSub(x[p], y[q], hn::Mul(y[p], x[q]));
-  }
+  HWY_INLINE V edge_area(int p, int q) const { return hn::MulSub(x[p], y[q], hn::Mul(y[p], x[q])); }
   HWY_INLINE V size(int p) const { return hn::Add(hn::Abs(x[p]), hn::Abs(y[p])); }
 
   V x[3], y[3];
@@ -73,18 +72,14 @@ HWY_INLINE BlockHits find_triangles(const AnyRay& ray, const TriangleBlock& bloc
     const V u = t.edge_area(2, 1), v = t.edge_area(0, 2), w = t.edge_area(1, 0);
     const V size = hn::Max(hn::Max(t.size(0), t.size(1)), t.size(2));
     const float r = ray.reach_error;
-    const V slope =
-        hn::MulAdd(hn::Set(tag, 4.0f * unit_roundoff), size, hn::Set(tag, 18.0f * r));
+    const V slope = hn::MulAdd(hn::Set(tag, 4.0f * unit_roundoff), size, hn::Set(tag, 18.0f * r));
     const V bound = hn::MulAdd(slope, size, hn::Set(tag, 160.0f * r * r + 0x1p-120f));
     const V least = hn::Min(u, hn::Min(v, w)), greatest = hn::Max(u, hn::Max(v, w));
     const V below = hn::Neg(bound);
-    const auto bits = [&](hn::Mask<decltype(tag)> mask) {
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(tag, mask, bytes);
-      return static_cast<unsigned>(bytes[0]) << first;
-    };
-    hits.possible |= bits(hn::Or(hn::Ge(least, below), hn::Le(greatest, bound)));
-    hits.sure |= bits(hn::Or(hn::Gt(least, bound), hn::Lt(greatest, below)));
+    const auto possible = hn::Or(hn::Ge(least, below), hn::Le(greatest, bound));
+    const auto sure = hn::Or(hn::Gt(least, bound), hn::Lt(greatest, below));
+    hits.possible |= bits_of(tag, possible) << first;
+    hits.sure |= bits_of(tag, sure) << first;
   }
   return hits;
 }
@@ -184,18 +179,15 @@ HWY_INLINE void find_some_planes(const AnyRay& ray, const TriangleBlock& block, 
   const auto slope_open = hn::Lt(hn::Abs(slope), slope_size);
   const auto height_open = hn::Lt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-25), height_size));
   // Signs that differ: t < 0, as most are where rays leave a surface.
-  const auto behind = hn::And(hn::Lt(hn::Xor(height, slope), zero),
-                              hn::Ge(hn::Set(tag, ray.t_min), zero));
+  const auto behind =
+      hn::And(hn::Lt(hn::Xor(height, slope), zero), hn::Ge(hn::Set(tag, ray.t_min), zero));
   const auto is_clear =
       hn::And(behind, hn::Gt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-48), height_size)));
   const auto open = hn::Or(slope_open, hn::AndNot(is_clear, height_open));
-  const auto bits = [&](hn::Mask<PlaneTag> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(tag, mask, bytes);
-    return static_cast<unsigned>(bytes[0]) << first;
-  };
+  const auto bits = [&](hn::Mask<PlaneTag> mask) { return bits_of(tag, mask) << first; };
   planes.open |= bits(open);
-  if ((wanted & ~bits(hn::Or(behind, open)) & (((1u << hn::Lanes(tag)) - 1u) << first)) == 0) return;
+  if ((wanted & ~bits(hn::Or(behind, open)) & (((1u << hn::Lanes(tag)) - 1u) << first)) == 0)
+    return;
   const V t = hn::Div(height, slope);
   const auto inside =
       hn::And(hn::Lt(hn::Set(tag, ray.t_min), t), hn::Lt(t, hn::Set(tag, ray.t_max)));

@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/math/mask_bits-inl.h"
 #include "core/shape/ray_lanes.h"
 #include "core/shape/triangle.h"
 #include "core/shape/triangle_block.h"
@@ -38,22 +39,6 @@ HWY_INLINE FloatV load(const float* x) {
 }
 HWY_INLINE DoubleV load_wide(const float* x) {
   return hn::PromoteTo(doubles, hn::Load(hn::Half<Floats>(), x));
-}
-
-/// One bit a lane.
-template <class Tag>
-HWY_INLINE unsigned bits_of(Tag tag, hn::Mask<Tag> mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(tag, mask, bytes);
-  return bytes[0] | bytes[1] << 8;
-}
-
-/// The lanes of a set, as bits_of answers it.
-template <class Tag>
-HWY_INLINE hn::Mask<Tag> mask_of(Tag tag, unsigned lanes) {
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(lanes),
-                                 static_cast<std::uint8_t>(lanes >> 8)};
-  return hn::LoadMaskBits(tag, bytes);
 }
 
 /// Lanes whose rays may pass through a triangle, and those of them that surely do.

@@ -16,7 +16,7 @@ struct TuneParams {
   BenchParams bench;  ///< its build: what trials differ from
   std::vector<float> costs{0.02f, 0.03f, 0.04f, 0.06f, 0.1f, 0.2f,
                            0.5f,  1.0f,  2.0f,  4.0f,  8.0f};  ///< C_I of one kind
-  std::vector<int> depths{-6, -3, 3, 6};                      ///< more than the automatic depth
+  std::vector<int> depths{-6, -3, 3, 6};                       ///< more than the automatic depth
   std::vector<int> leaf_sizes{2, 4, 8};
 };
 
