@@ -30,9 +30,9 @@ App::App(State state, std::function<void()> wake)
       scenes_(open_scene, wake),
       trees_(tree_work_, wake,
              {build_patience, [this](const TreeRequest& wish) { return tree_work_.serves(wish); }}),
-      pictures_(PictureWork{}, wake, {drawing_patience}),
+      pictures_(PictureWork(overlay_turn_), wake, {drawing_patience}),
       paths_(follow_rays, wake, {drawing_patience}),
-      overlays_(OverlayWork{}, wake, {drawing_patience}),
+      overlays_(OverlayWork(overlay_turn_), wake, {drawing_patience}),
       accuracy_(judge_picture, wake),
       measures_(take_times, wake) {}
 
@@ -150,8 +150,9 @@ void App::want_overlay() {
   if (rays && picture && rays->request.tree != picture->request.tree) rays = nullptr;
   const bool path = state_.path_visible && rays;
   const std::shared_ptr<const Accuracy>& accuracy = accuracy_.value();
-  if (!picture || (!state_.boxes.visible && !path && !accuracy))
-    return overlays_.want(std::nullopt);
+  const bool is_wanted = picture && (state_.boxes.visible || path || accuracy);
+  overlay_turn_->expect(is_wanted);
+  if (!is_wanted) return overlays_.want(std::nullopt);
   const RenderParams& params = picture->request.params;
   OverlayRequest request{.tree = picture->request.tree,
                          .first_hits = picture->first_hits,

@@ -100,6 +100,7 @@ class App {
   Stage<SceneRequest, LoadedScene> scenes_;
   TreeWork tree_work_;
   Stage<TreeRequest, BuiltTree> trees_;
+  const std::shared_ptr<OverlayTurn> overlay_turn_ = std::make_shared<OverlayTurn>();
   Stage<PictureRequest, Picture> pictures_;
   Stage<PathRequest, PixelRays> paths_;
   Stage<OverlayRequest, Overlay> overlays_;

@@ -56,10 +56,25 @@ bool borders_wanted(const OverlayRequest& request) {
   return request.boxes && request.boxes->borders && request.first_hits;
 }
 
+/// Gives the turn back however the work ends.
+class TakenTurn {
+ public:
+  TakenTurn(OverlayTurn& turn, std::shared_ptr<const FirstHits> hits)
+      : turn_(turn), hits_(std::move(hits)) {}
+  ~TakenTurn() { turn_.finish(std::move(hits_)); }
+  TakenTurn(const TakenTurn&) = delete;
+  TakenTurn& operator=(const TakenTurn&) = delete;
+
+ private:
+  OverlayTurn& turn_;
+  std::shared_ptr<const FirstHits> hits_;
+};
+
 }  // namespace
 
 Result<void> OverlayWork::operator()(const OverlayRequest& request, std::stop_token stop,
                                      const Publish<Overlay>& publish) {
+  const TakenTurn turn(*turn_, request.first_hits);
   const Timer timer;
   const ScreenTransform transform(request.camera, request.width, request.height);
   LineList lines;

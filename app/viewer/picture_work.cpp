@@ -79,6 +79,8 @@ Result<void> PictureWork::operator()(const PictureRequest& request, std::stop_to
     last_ = picture;
     before = last_.get();
     publish(last_);
+    const bool is_look = frame.pass == 0;
+    if (is_look) turn_->wait_for(last_->first_hits, stop);
   });
   return {};
 }

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <stop_token>
+#include <utility>
 
+#include "app/viewer/overlay_turn.h"
 #include "app/viewer/requests.h"
 #include "core/base/result.h"
 
@@ -44,23 +47,30 @@ class TreeWork {
 };
 
 /// Renders progressively. A tree never changes what is seen, only what it costs: when nothing else
-/// is new, the better pixels of the picture before stay.
+/// is new, the better pixels of the picture before stay. What its rays hit is then looked at first,
+/// and the overlay of that is waited for.
 class PictureWork {
  public:
+  explicit PictureWork(std::shared_ptr<OverlayTurn> turn = std::make_shared<OverlayTurn>())
+      : turn_(std::move(turn)) {}
   Result<void> operator()(const PictureRequest& request, std::stop_token stop,
                           const Publish<Picture>& publish);
 
  private:
+  std::shared_ptr<OverlayTurn> turn_;
   std::shared_ptr<const Picture> last_;
 };
 
 /// Draws the overlays; thins the boxes out while the camera moves.
 class OverlayWork {
  public:
+  explicit OverlayWork(std::shared_ptr<OverlayTurn> turn = std::make_shared<OverlayTurn>())
+      : turn_(std::move(turn)) {}
   Result<void> operator()(const OverlayRequest& request, std::stop_token stop,
                           const Publish<Overlay>& publish);
 
  private:
+  std::shared_ptr<OverlayTurn> turn_;
   float min_pixels_ = 1.0f;  // see next_min_pixels
 };
 
