@@ -9,9 +9,22 @@
 namespace bspview {
 namespace {
 
+/// The cell of a node as a walk goes down, with what all of its nodes need: the lengths of its
+/// sides, in double.
+struct SizedCell {
+  explicit SizedCell(const Aabb& box)
+      : cell(box), size(box.empty() ? Vec3d(0.0) : Vec3d(box.hi) - Vec3d(box.lo)) {}
+
+  double half_area() const { return size.x * size.y + size.y * size.z + size.z * size.x; }
+  double volume() const { return size.x * size.y * size.z; }
+
+  Aabb cell;
+  Vec3d size;
+};
+
 struct NodeInCell {
   std::uint32_t node;
-  Aabb cell;
+  SizedCell cell;
   int depth;
 };
 
@@ -20,35 +33,25 @@ void count_up(std::vector<std::uint64_t>& histogram, std::size_t index) {
   ++histogram[index];
 }
 
-void add_leaf(TreeStats& stats, const NodeInCell& place, std::uint32_t objects) {
+void add_leaf(TreeStats& stats, const SizedCell& cell, int depth, std::uint32_t objects) {
   ++stats.leaves;
   stats.references += objects;
-  stats.deepest_leaf = std::max(stats.deepest_leaf, place.depth);
-  count_up(stats.leaves_at_depth, static_cast<std::size_t>(place.depth));
+  count_up(stats.leaves_at_depth, static_cast<std::size_t>(depth));
   count_up(stats.leaves_with_count, objects);
-  if (objects == 0) {
-    ++stats.empty_leaves;
-  } else if (!place.cell.empty()) {
-    stats.full_volume += volume(place.cell);
-  }
+  stats.empty_leaves += objects == 0;
+  stats.full_volume += objects == 0 ? 0.0 : cell.volume();
 }
 
 /// crossing_probability in the cell of the root, whose area is found once.
 class RootCrossing {
  public:
-  explicit RootCrossing(const Aabb& root)
-      : root_(root), area_(root.empty() ? 0.0 : half_area(root)) {}
+  explicit RootCrossing(const Aabb& root) : root_(root), area_(SizedCell(root).half_area()) {}
 
-  double operator()(const Aabb& cell) const {
-    return area_ > 0.0 ? half_area(cell) / area_ : crossing_probability(cell, root_);
+  double operator()(const SizedCell& cell) const {
+    return area_ > 0.0 ? cell.half_area() / area_ : crossing_probability(cell.cell, root_);
   }
 
  private:
-  static double half_area(const Aabb& box) {
-    const Vec3d d = Vec3d(box.hi) - Vec3d(box.lo);
-    return d.x * d.y + d.y * d.z + d.z * d.x;
-  }
-
   const Aabb root_;
   const double area_;
 };
@@ -57,29 +60,34 @@ class RootCrossing {
 template <class Visit>
 class Walk {
  public:
-  Walk(const Tree& tree, const Visit& visit) : Walk(tree, {0, tree.box, 0}, visit) {}
+  Walk(const Tree& tree, const Visit& visit) : Walk(tree, {0, SizedCell(tree.box), 0}, visit) {}
   /// From a node down.
   Walk(const Tree& tree, const NodeInCell& from, const Visit& visit)
-      : tree_(tree), visit_(visit), cell_(from.cell) {
+      : nodes_(tree.nodes.data()), visit_(visit), at_(from.cell) {
     if (!tree.nodes.empty()) descend(from.node, from.depth);
   }
 
  private:
   void descend(std::uint32_t index, int depth) {
-    const Node& node = tree_.nodes[index];
-    if (!visit_(index, cell_, depth) || node.is_leaf()) return;
+    const Node node = nodes_[index];
+    if (!visit_(index, at_, depth) || node.is_leaf()) return;
     const int axis = node.axis();
-    const float hi = std::exchange(cell_.hi[axis], node.split());
+    const float split = node.split();
+    const double size = at_.size[axis];
+    const float hi = std::exchange(at_.cell.hi[axis], split);
+    at_.size[axis] = double{split} - double{at_.cell.lo[axis]};
     descend(node.left(), depth + 1);
-    cell_.hi[axis] = hi;
-    const float lo = std::exchange(cell_.lo[axis], node.split());
+    at_.cell.hi[axis] = hi;
+    const float lo = std::exchange(at_.cell.lo[axis], split);
+    at_.size[axis] = double{hi} - double{split};
     descend(node.right(), depth + 1);
-    cell_.lo[axis] = lo;
+    at_.cell.lo[axis] = lo;
+    at_.size[axis] = size;
   }
 
-  const Tree& tree_;
+  const Node* const nodes_;
   const Visit& visit_;
-  Aabb cell_;
+  SizedCell at_;
 };
 
 void add(std::vector<std::uint64_t>& histogram, const std::vector<std::uint64_t>& more) {
@@ -94,7 +102,6 @@ void add(TreeStats& stats, const TreeStats& more) {
   stats.leaves += more.leaves;
   stats.empty_leaves += more.empty_leaves;
   stats.references += more.references;
-  stats.deepest_leaf = std::max(stats.deepest_leaf, more.deepest_leaf);
   stats.full_volume += more.full_volume;
   stats.expected_cost += more.expected_cost;
   add(stats.leaves_at_depth, more.leaves_at_depth);
@@ -114,8 +121,8 @@ class StatsWalk {
   TreeStats upper_part(std::vector<NodeInCell>& subtrees) const {
     constexpr int upper_depth = 6;
     TreeStats stats;
-    Walk(tree_, [&](std::uint32_t index, const Aabb& cell, int depth) {
-      if (depth < upper_depth) return add_node(stats, {index, cell, depth});
+    Walk(tree_, [&](std::uint32_t index, const SizedCell& cell, int depth) {
+      if (depth < upper_depth) return add_node(stats, index, cell, depth);
       subtrees.push_back({index, cell, depth});
       return false;
     });
@@ -124,22 +131,22 @@ class StatsWalk {
 
   TreeStats subtree(const NodeInCell& root) const {
     TreeStats stats;
-    Walk(tree_, root, [&](std::uint32_t index, const Aabb& cell, int depth) {
-      return add_node(stats, {index, cell, depth});
+    Walk(tree_, root, [&](std::uint32_t index, const SizedCell& cell, int depth) {
+      return add_node(stats, index, cell, depth);
     });
     return stats;
   }
 
  private:
   /// False where it is stopped.
-  bool add_node(TreeStats& stats, const NodeInCell& place) const {
+  bool add_node(TreeStats& stats, std::uint32_t index, const SizedCell& cell, int depth) const {
     constexpr std::uint64_t nodes_between_looks = 1024;
     if (stats.nodes % nodes_between_looks == 0 && stop_.stop_requested()) return false;
-    const Node& node = tree_.nodes[place.node];
-    const double probability = crossing_(place.cell);
+    const Node& node = tree_.nodes[index];
+    const double probability = crossing_(cell);
     ++stats.nodes;
     if (node.is_leaf()) {
-      add_leaf(stats, place, node.count());
+      add_leaf(stats, cell, depth, node.count());
       stats.expected_cost += probability * costs_.leaf(node.count());
     } else {
       ++stats.inner;
@@ -166,12 +173,15 @@ TreeStats tree_stats(const Tree& tree, const std::stop_token& stop) {
     parts[part] = walk.subtree(subtrees[part]);
   });
   for (const TreeStats& part : parts) add(stats, part);
+  stats.deepest_leaf = std::max(0, static_cast<int>(stats.leaves_at_depth.size()) - 1);
   stats.volume = tree.box.empty() ? 0.0 : volume(tree.box);
   return stats;
 }
 
 void visit_nodes(const Tree& tree, const NodeVisitor& visit) {
-  Walk(tree, visit);
+  Walk(tree, [&](std::uint32_t index, const SizedCell& cell, int depth) {
+    return visit(index, cell.cell, depth);
+  });
 }
 
 std::uint32_t find_leaf(const Tree& tree, Vec3 point) {

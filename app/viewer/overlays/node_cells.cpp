@@ -3,20 +3,22 @@
 #include <algorithm>
 
 #include "core/base/check.h"
+#include "core/base/parallel.h"
 
 namespace bspview {
 
 NodeCells::NodeCells(const Tree& tree, const std::stop_token& stop) : tree_(tree) {
-  constexpr std::uint32_t nodes_between_looks = 1u << 16;
+  constexpr std::size_t nodes_between_looks = std::size_t{1} << 15;
   parents_.resize(tree.nodes.size());
   if (!parents_.empty()) parents_[0] = 0;
-  for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
-    if (i % nodes_between_looks == 0 && stop.stop_requested()) return;
-    const Node& node = tree.nodes[i];
-    if (node.is_leaf()) continue;
-    parents_[node.left()] = i;
-    parents_[node.right()] = i;
-  }
+  parallel_ranges(tree.nodes.size(), nodes_between_looks, [&](std::size_t first, std::size_t last) {
+    if (stop.stop_requested()) return;
+    for (std::size_t i = first; i < last; ++i) {
+      const Node& node = tree.nodes[i];
+      if (node.is_leaf()) continue;
+      parents_[node.left()] = parents_[node.right()] = static_cast<std::uint32_t>(i);
+    }
+  });
 }
 
 std::vector<std::uint32_t> NodeCells::path(std::uint32_t node) const {
