@@ -26,7 +26,7 @@ constexpr hn::Rebind<float, Doubles> narrow;
 /// Of the planes across each axis.
 struct alignas(32) AxisCosts {
   double lo[axis_lanes], hi[axis_lanes], caps[axis_lanes], rim[axis_lanes];
-  float first[axis_lanes], last[axis_lanes];
+  float first[axis_lanes], last[axis_lanes];  // one behind the other
 };
 
 /// The planes to try, and what testing the boxes that touch each side of them costs.
@@ -35,25 +35,28 @@ struct alignas(32) Planes {
 
   float position[most];
   float left[most], right[most];
+  double cost[most];
 };
 
-/// One number an axis, and 0, in the lanes from `lane` on. Through memory it would take longer.
-HWY_INLINE DoubleV by_axis(const Vec3d& numbers, std::size_t lane) {
+/// One number an axis, and `rest`, in the lanes from `lane` on. Through memory it would take
+/// longer.
+HWY_INLINE DoubleV by_axis(const Vec3d& numbers, std::size_t lane, double rest = 0.0) {
   const DoubleV index = hn::Iota(doubles, static_cast<double>(lane));
   const auto is = [&](double axis) { return hn::Eq(index, hn::Set(doubles, axis)); };
-  const DoubleV z = hn::IfThenElseZero(is(2.0), hn::Set(doubles, numbers.z));
+  const DoubleV z = hn::IfThenElse(is(2.0), hn::Set(doubles, numbers.z), hn::Set(doubles, rest));
   const DoubleV y = hn::IfThenElse(is(1.0), hn::Set(doubles, numbers.y), z);
   return hn::IfThenElse(is(0.0), hn::Set(doubles, numbers.x), y);
 }
 
 /// As SplitCost and PlaneRange; the fourth lane has no room for planes.
 HWY_INLINE void find_axis_costs(const BuildJob& job, const Aabb& cell, AxisCosts& costs) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const Vec3d from(cell.lo), to(cell.hi), d = to - from;
   const double area = d.x * d.y + d.y * d.z + d.z * d.x;
   const DoubleV intersection = hn::Set(doubles, job.costs.intersection);
   const DoubleV areas = hn::Set(doubles, area), width = hn::Set(doubles, job.min_width);
   for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
-    const DoubleV lo = by_axis(from, lane), hi = by_axis(to, lane);
+    const DoubleV lo = by_axis(from, lane, infinity), hi = by_axis(to, lane, -infinity);
     const DoubleV u = by_axis({d.y, d.z, d.x}, lane), v = by_axis({d.z, d.x, d.y}, lane);
     hn::Store(lo, doubles, costs.lo + lane);
     hn::Store(hi, doubles, costs.hi + lane);
@@ -70,23 +73,29 @@ HWY_INLINE void find_axis_costs(const BuildJob& job, const Aabb& cell, AxisCosts
   }
 }
 
-/// The last ones are the first and the last plane for which there is room.
+/// The last ones are the first and the last plane for which there is room. False where every box
+/// reaches across all planes.
 template <std::size_t extent>
-HWY_INLINE void place_planes(std::span<const FewBox, extent> boxes, const AxisCosts& costs,
+HWY_INLINE bool place_planes(std::span<const FewBox, extent> boxes, const AxisCosts& costs,
                              float* positions) {
   alignas(32) static constexpr std::int32_t outwards[2 * axis_lanes] = {-1, -1, -1, -1, 1, 1, 1, 1};
-  for (const FewBox& box : boxes) {
-    for (std::size_t lane = 0; lane < 2 * axis_lanes; lane += hn::Lanes(floats)) {
-      const FloatV sides = hn::Load(floats, box.lo + lane);
-      hn::Store(next_float(floats, sides, hn::Load(ints, outwards + lane)), floats,
-                positions + lane);
+  alignas(32) static constexpr float signs[2 * axis_lanes] = {0,     0,     0,     0,
+                                                              -0.0f, -0.0f, -0.0f, -0.0f};
+  bool all_cross = true;
+  for (std::size_t lane = 0; lane < 2 * axis_lanes; lane += hn::Lanes(floats)) {
+    const auto way = hn::Load(ints, outwards + lane);
+    const FloatV sign = hn::Load(floats, signs + lane);
+    FloatV innermost = hn::Set(floats, -std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const FloatV plane = next_float(floats, hn::Load(floats, boxes[i].lo + lane), way);
+      innermost = hn::Max(innermost, hn::Xor(plane, sign));
+      hn::Store(plane, floats, positions + 2 * axis_lanes * i + lane);
     }
-    positions += 2 * axis_lanes;
+    const FloatV limit = hn::Load(floats, costs.first + lane);
+    all_cross &= hn::AllTrue(floats, hn::Lt(innermost, hn::Xor(limit, sign)));
+    hn::Store(limit, floats, positions + 2 * axis_lanes * boxes.size() + lane);
   }
-  for (std::size_t lane = 0; lane < axis_lanes; ++lane) {
-    positions[lane] = costs.first[lane];
-    positions[axis_lanes + lane] = costs.last[lane];
-  }
+  return !all_cross;
 }
 
 template <std::size_t extent>
@@ -115,7 +124,7 @@ struct alignas(32) AxisBests {
 
 /// Of the planes of the axes from `lane` on. Costs are those of SplitCost, infinite where there is
 /// no room.
-HWY_INLINE void find_bests(const CostModel& model, const AxisCosts& costs, const Planes& planes,
+HWY_INLINE void find_bests(const CostModel& model, const AxisCosts& costs, Planes& planes,
                            std::size_t count, std::size_t lane, AxisBests& bests) {
   const auto load = [&](const double* each) { return hn::Load(doubles, each + lane); };
   const auto load_wide = [&](const float* each) {
@@ -127,7 +136,7 @@ HWY_INLINE void find_bests(const CostModel& model, const AxisCosts& costs, const
   const DoubleV traversal = hn::Set(doubles, model.traversal);
   const DoubleV empty_factor = hn::Set(doubles, model.empty_factor);
   const DoubleV infinity = hn::Set(doubles, std::numeric_limits<double>::infinity());
-  DoubleV least = infinity, lowest = infinity;
+  DoubleV least = infinity;
   for (std::size_t plane = 0; plane < count; plane += axis_lanes) {
     const DoubleV position = load_wide(planes.position + plane);
     const DoubleV left = load_wide(planes.left + plane), right = load_wide(planes.right + plane);
@@ -139,13 +148,26 @@ HWY_INLINE void find_bests(const CostModel& model, const AxisCosts& costs, const
     const DoubleV cost = hn::IfThenElse(empty, hn::Mul(full, empty_factor), full);
     const auto has_room = hn::And(hn::Le(first, position), hn::Le(position, last));
     const DoubleV allowed = hn::IfThenElse(has_room, cost, infinity);
-    const auto is_lower = hn::And(hn::Eq(allowed, least), hn::Lt(position, lowest));
-    const auto is_better = hn::Or(hn::Lt(allowed, least), is_lower);
-    least = hn::IfThenElse(is_better, allowed, least);
-    lowest = hn::IfThenElse(is_better, position, lowest);
+    hn::Store(allowed, doubles, planes.cost + plane + lane);
+    least = hn::Min(allowed, least);
+  }
+  // Among equals: once more, since each step that looked at both would wait for the one before.
+  DoubleV lowest = infinity;
+  for (std::size_t plane = 0; plane < count; plane += axis_lanes) {
+    const auto is_least = hn::Eq(hn::Load(doubles, planes.cost + plane + lane), least);
+    const DoubleV position = load_wide(planes.position + plane);
+    lowest = hn::Min(hn::IfThenElse(is_least, position, infinity), lowest);
   }
   hn::Store(least, doubles, bests.cost + lane);
   hn::Store(lowest, doubles, bests.position + lane);
+}
+
+/// Whether a plane that all boxes reach across costs more than a leaf, whatever is rounded.
+template <std::size_t extent>
+HWY_INLINE bool cannot_pay(const CostModel& costs, std::span<const FewBox, extent> boxes) {
+  double tests = 0.0;
+  for (const FewBox& box : boxes) tests += box.tests();
+  return costs.traversal * costs.empty_factor > 1e-9 * costs.intersection * tests;
 }
 
 template <std::size_t extent>
@@ -153,9 +175,11 @@ HWY_INLINE Split find_cheapest(const BuildJob& job, std::span<const FewBox, exte
                                const Aabb& cell) {
   AxisCosts costs;
   find_axis_costs(job, cell, costs);
-  const std::size_t count = (2 * boxes.size() + 2) * axis_lanes;
   Planes planes;
-  place_planes(boxes, costs, planes.position);
+  if (!place_planes(boxes, costs, planes.position) && cannot_pay(job.costs, boxes)) {
+    return {.cost = std::numeric_limits<double>::infinity()};
+  }
+  const std::size_t count = (2 * boxes.size() + 2) * axis_lanes;
   add_up_sides(boxes, planes, count);
   AxisBests bests;
   for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {

@@ -60,6 +60,13 @@ void expect_cheapest(const TestJob& test, const Split& split, const std::string&
   ASSERT_EQ(split.position, expected.position) << trial;
 }
 
+/// There may be none where none pays.
+void expect_cheapest_of_few(const TestJob& test, const Split& split, const std::string& trial) {
+  if (std::isfinite(split.cost)) return expect_cheapest(test, split, trial);
+  ASSERT_GT(cheapest_of_all(test.job, test.parts).cost, test.job.costs.leaf(test.parts.size()))
+      << trial;
+}
+
 Split find_swept(const TestJob& test) {
   ScratchStack scratch;
   return cheapest_of_events(test.job, EventList(test.job, test.parts, scratch), test.job.box);
@@ -81,7 +88,7 @@ TEST(CheapestPlane, IsThatOfAllOfAFewBoxes) {
     const test::BoxSet set = test::random_boxes(count, static_cast<std::uint64_t>(trial));
     const TestJob test(set.boxes(), part_of_the_cube, costs);
     const std::string name = "trial " + std::to_string(trial);
-    expect_cheapest(test, find_among_few(test), name);
+    expect_cheapest_of_few(test, find_among_few(test), name);
     expect_cheapest(test, find_swept(test), name);
   }
 }
@@ -107,7 +114,7 @@ TEST(CheapestPlane, IsTheLowestAmongEquals) {
     }
     const TestJob test(boxes, {Vec3(-1.0f), Vec3(1.0f)}, costs);
     const std::string name = "trial " + std::to_string(trial);
-    expect_cheapest(test, find_among_few(test), name);
+    expect_cheapest_of_few(test, find_among_few(test), name);
     expect_cheapest(test, find_swept(test), name);
   }
 }
@@ -123,7 +130,7 @@ TEST(CheapestPlane, IsThatOfAllOfHardBoxes) {
       for (const Aabb& box : boxes) cell.grow(box);
       const TestJob test(boxes, cell, costs);
       if (test.parts.size() <= most_few_parts)
-        expect_cheapest(test, find_among_few(test), hard.name);
+        expect_cheapest_of_few(test, find_among_few(test), hard.name);
       expect_cheapest(test, find_swept(test), hard.name);
     }
   }
@@ -167,6 +174,21 @@ TEST(CheapestPlane, OfBinsIsNearlyThatOfAll) {
       expected = with_cost_of_leaves(test.job, test.job.box, expected);
       ASSERT_EQ(split.cost, expected.cost) << count;
       ASSERT_LE(split.cost, 1.01 * find_swept(test).cost) << count;
+    }
+  }
+}
+
+TEST(CheapestPlane, IsLookedForWhereItMayPay) {
+  constexpr CostModel free_nodes{.traversal = 0.0, .intersection = 1.5, .empty_factor = 0.9};
+  const Aabb cell{Vec3(-1.0f), Vec3(1.0f)};
+  const Vec3 half(1.0f, 0.5f, 1.0f);
+  for (const Aabb& box : {cell, Aabb{-half, half}, Aabb{cell.lo, half}}) {
+    for (const CostModel& model : {costs, free_nodes}) {
+      const TestJob test({cell, box}, cell, model);
+      const bool is_asked_for = box != cell || model.traversal == 0.0;
+      const Split split = find_among_few(test);
+      ASSERT_EQ(std::isfinite(split.cost), is_asked_for);
+      expect_cheapest_of_few(test, split, "two boxes");
     }
   }
 }
