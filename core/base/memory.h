@@ -9,7 +9,7 @@ namespace bspview {
 void give_memory_back();
 
 /// Arrays of at least as many bytes come from allocate_pages.
-inline constexpr std::size_t fewest_page_bytes = std::size_t{1} << 22;
+inline constexpr std::size_t fewest_page_bytes = std::size_t{1} << 20;
 
 /// Memory straight from the system, in huge pages where there are any: small ones take a
 /// microsecond each to touch and to give back, 25 ms for 100 MB. Throws std::bad_alloc.

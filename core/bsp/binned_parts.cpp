@@ -5,8 +5,8 @@
 
 namespace bspview {
 
-void BinnedParts::append_objects(References& objects) const {
-  for (const ObjectPart& part : parts()) objects.push_back(part.object);
+void BinnedParts::write_objects(std::uint32_t* to) const {
+  for (const ObjectPart& part : parts()) *to++ = part.object;
 }
 
 std::optional<Split> BinnedParts::find_split(const Place& place) const {

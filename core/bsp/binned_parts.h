@@ -15,7 +15,7 @@ class BinnedParts {
       : job_(&job), count_(parts.size()), parts_(parts.data()), own_(scratch, 0) {}
 
   std::size_t count() const { return count_; }
-  void append_objects(References& objects) const;
+  void write_objects(std::uint32_t* to) const;
   std::optional<Split> find_split(const Place& place) const;
   FewParts few_parts(ScratchStack& scratch) const;
   BinnedParts split(const CellSplit& split, ScratchStack& scratch);

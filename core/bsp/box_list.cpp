@@ -7,8 +7,8 @@
 
 namespace bspview {
 
-void BoxList::append_objects(References& objects) const {
-  for (const ObjectPart& part : parts_) objects.push_back(part.object);
+void BoxList::write_objects(std::uint32_t* to) const {
+  for (const ObjectPart& part : parts_) *to++ = part.object;
 }
 
 BoxList BoxList::split(const CellSplit& split, ScratchStack&) {

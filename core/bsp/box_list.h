@@ -19,7 +19,7 @@ class BoxList {
       : job_(&job), rule_(rule), parts_(std::move(parts)) {}
 
   std::size_t count() const { return parts_.size(); }
-  void append_objects(References& objects) const;
+  void write_objects(std::uint32_t* to) const;
   std::optional<Split> find_split(const Place& place) const { return rule_(*job_, parts_, place); }
   BoxList split(const CellSplit& split, ScratchStack& scratch);
   void release() { parts_ = {}; }

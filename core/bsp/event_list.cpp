@@ -98,8 +98,8 @@ EventList::EventList(const BuildJob& job, std::span<const ObjectPart> parts, Scr
   job.for_each(count_, light_steps, [&](std::size_t i) { objects_[i] = parts[i].object; });
 }
 
-void EventList::append_objects(References& objects) const {
-  objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
+void EventList::write_objects(std::uint32_t* to) const {
+  std::copy_n(objects_.data(), count_, to);
 }
 
 FewParts EventList::few_parts(ScratchStack& scratch) const {

@@ -19,7 +19,7 @@ class EventList {
 
   std::size_t count() const { return count_; }
   std::span<const Event> events(int axis) const { return {first_event(axis), 2 * count_}; }
-  void append_objects(References& objects) const;
+  void write_objects(std::uint32_t* to) const;
 
   /// The parts of a node that holds few.
   FewParts few_parts(ScratchStack& scratch) const;

@@ -15,8 +15,8 @@ constexpr std::size_t most_growth = 8;
 
 }  // namespace
 
-void FewParts::append_objects(References& objects) const {
-  objects.insert(objects.end(), objects_.data(), objects_.data() + count_);
+void FewParts::write_objects(std::uint32_t* to) const {
+  for (std::size_t i = 0; i < count_; ++i) to[i] = objects_[i];
 }
 
 double FewParts::tests() const {

@@ -24,7 +24,7 @@ class FewParts {
   std::size_t count() const { return count_; }
   /// What testing them all costs, in units of the job's C_I.
   double tests() const;
-  void append_objects(References& objects) const;
+  void write_objects(std::uint32_t* to) const;
   std::optional<Split> find_split(const Place& place) const;
   FewParts split(const CellSplit& split, ScratchStack& scratch);
   void release() {}  // the outlines are those of the other side, too

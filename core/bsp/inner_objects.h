@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
+#include <mutex>
 #include <span>
 #include <utility>
 #include <vector>
@@ -50,6 +50,30 @@ class InnerMeter {
   std::atomic<std::size_t> bytes_ = 0;
 };
 
+/// Where the lists of a tree lie. Small parts of few large ones: to get memory from the system
+/// takes longer than to fill it.
+class InnerStore {
+ public:
+  /// Room for as many elements, from any thread. It lasts as long as the store.
+  std::uint32_t* take(std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    if (slabs_.empty() || slabs_.back().size() - used_ < count) add_slab(count);
+    return slabs_.back().data() + std::exchange(used_, used_ + count);
+  }
+
+ private:
+  void add_slab(std::size_t least) {
+    constexpr std::size_t smallest = std::size_t{1} << 14, largest = std::size_t{1} << 20;
+    const std::size_t grown = slabs_.empty() ? 0 : 2 * slabs_.back().size();
+    slabs_.emplace_back().resize(std::max(least, std::clamp(grown, smallest, largest)));
+    used_ = 0;
+  }
+
+  std::mutex mutex_;
+  std::vector<References> slabs_;
+  std::size_t used_ = 0;  // of the last one
+};
+
 /// What the inner nodes of a tree hold, kept while it is built: any of them can then be made a
 /// leaf. The lists come in the order of the nodes, each behind its length.
 class InnerLists {
@@ -62,45 +86,48 @@ class InnerLists {
   }
 
   template <class Objects>
-  void keep(const Objects& objects, InnerMeter& meter) {
+  void keep(const Objects& objects, InnerMeter& meter, InnerStore& store) {
     const std::size_t count = objects.count();
-    if (!meter.complete() || !make_room(count + 1, meter)) return;
-    References& page = pages_.back();
-    lists_.push_back(page.data() + page.size());
-    page.push_back(static_cast<std::uint32_t>(count));
-    objects.append_objects(page);
+    if (!meter.complete() || !make_room(count + 1, meter, store)) return;
+    lists_.push_back(page_);
+    *page_ = static_cast<std::uint32_t>(count);
+    objects.write_objects(page_ + 1);
+    page_ += count + 1;
+    room_ -= count + 1;
   }
 
   /// Puts the lists of `part`, which becomes empty, behind these.
   void append(InnerLists& part) {
     lists_.insert(lists_.end(), part.lists_.begin(), part.lists_.end());
-    std::ranges::move(part.pages_, std::back_inserter(pages_));
     metered_ += part.metered_;
     part = {};
   }
 
  private:
-  /// Elements of a page stay where they are.
-  bool make_room(std::size_t count, InnerMeter& meter) {
-    constexpr std::size_t least = std::size_t{1} << 10, most = std::size_t{1} << 16;
-    if (!pages_.empty() && pages_.back().capacity() - pages_.back().size() >= count) return true;
-    const std::size_t grown = pages_.empty() ? least : 2 * pages_.back().capacity();
-    const std::size_t size = std::max(count, std::clamp(grown, least, most));
+  bool make_room(std::size_t count, InnerMeter& meter, InnerStore& store) {
+    constexpr std::size_t least = std::size_t{1} << 10, most = std::size_t{1} << 14;
+    if (room_ >= count) return true;
+    page_size_ = std::clamp(2 * page_size_, least, most);
+    const std::size_t size = std::max(count, page_size_);
     const std::size_t pointers = lists_.size() - std::exchange(metered_, lists_.size());
     if (!meter.admit(size * sizeof(std::uint32_t) + pointers * sizeof(lists_[0]))) return false;
-    pages_.emplace_back().reserve(size);
+    page_ = store.take(size);
+    room_ = size;
     return true;
   }
 
-  std::vector<References> pages_;
-  std::vector<const std::uint32_t*> lists_;
-  std::size_t metered_ = 0;  // lists whose pointers the meter knows of
+  RawVector<const std::uint32_t*> lists_;
+  std::uint32_t* page_ = nullptr;  // where the next list goes
+  std::size_t room_ = 0;           // there
+  std::size_t page_size_ = 0;      // of the last page, but for a longer list
+  std::size_t metered_ = 0;        // lists whose pointers the meter knows of
 };
 
 /// The inner objects of one tree.
 struct InnerObjects {
   explicit InnerObjects(InnerLimit limit) : meter(limit) {}
   InnerMeter meter;
+  InnerStore store;
   InnerLists lists;
 };
 

@@ -13,7 +13,7 @@ namespace bspview {
 /// `Objects` is a set of object parts that a rule looks at and a plane divides:
 ///
 ///     std::size_t count() const;
-///     void append_objects(References&) const;    ascending ids
+///     void write_objects(std::uint32_t* to) const;               ascending ids
 ///     std::optional<Split> find_split(const Place&) const;
 ///     Objects split(const CellSplit&, ScratchStack&);            keeps the larger side
 ///     void release();                                            the objects are needed no more
@@ -73,7 +73,7 @@ class Recursion {
       make_leaf(objects, slot);
       return job_.tell(place.work);
     }
-    if (job_.inner) slot.branch.inner.keep(objects, job_.inner->meter);
+    if (job_.inner) slot.branch.inner.keep(objects, job_.inner->meter, job_.inner->store);
 
     const CellSplit split(*wanted, place.cell);
     Objects other = objects.split(split, slot.branch.scratch);
@@ -115,8 +115,9 @@ class Recursion {
     References& references = slot.branch.references;
     const auto first = static_cast<std::uint32_t>(references.size());
     make_room(job_, references, objects.count());
-    objects.append_objects(references);
-    const auto count = static_cast<std::uint32_t>(references.size()) - first;
+    const auto count = static_cast<std::uint32_t>(objects.count());
+    references.resize(first + count);
+    objects.write_objects(references.data() + first);
     slot.branch.nodes[slot.node] = Node::make_leaf(first, count);
     if (slot.branch.bytes() > slot.branch.metered + meter_step) meter(job_, slot.branch);
   }

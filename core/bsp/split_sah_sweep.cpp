@@ -12,7 +12,7 @@ class SweptObjects {
   SweptObjects(const BuildJob& job, EventList events) : job_(&job), events_(std::move(events)) {}
 
   std::size_t count() const { return events_.count(); }
-  void append_objects(References& objects) const { events_.append_objects(objects); }
+  void write_objects(std::uint32_t* to) const { events_.write_objects(to); }
 
   std::optional<Split> find_split(const Place& place) const {
     const Split best = cheapest_of_events(*job_, events_, place.cell);

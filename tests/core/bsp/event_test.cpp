@@ -34,7 +34,8 @@ struct TestJob {
 
 References objects_of(const EventList& list) {
   References objects;
-  list.append_objects(objects);
+  objects.resize(list.count());
+  list.write_objects(objects.data());
   return objects;
 }
 
