@@ -167,7 +167,7 @@ template <std::size_t extent>
 HWY_INLINE bool cannot_pay(const CostModel& costs, std::span<const FewBox, extent> boxes) {
   double tests = 0.0;
   for (const FewBox& box : boxes) tests += box.tests();
-  return costs.traversal * costs.empty_factor > 1e-9 * costs.intersection * tests;
+  return costs.traversal * costs.empty_factor > 1e-5 * costs.intersection * tests;
 }
 
 template <std::size_t extent>

@@ -53,7 +53,7 @@ class Tries {
 
 GrownTree grow_tree(const GrowBranch& grow, BuildJob job) {
   if (auto whole = grow_to(job.max_depth, grow, job)) return *std::move(whole);
-  if (job.inner) job.inner->meter.give_up();
+  if (job.inner) job.inner->give_up();
   job.inner = nullptr;
   if (job.progress) job.progress->begin_again();
   int fitting = job.depth, too_deep = job.max_depth;

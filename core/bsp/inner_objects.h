@@ -61,11 +61,20 @@ class InnerStore {
     return slabs_.back().data() + std::exchange(used_, used_ + count);
   }
 
+  /// All that was taken is gone.
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    slabs_ = {};
+    used_ = 0;
+  }
+
  private:
   void add_slab(std::size_t least) {
     constexpr std::size_t smallest = std::size_t{1} << 14, largest = std::size_t{1} << 20;
     const std::size_t grown = slabs_.empty() ? 0 : 2 * slabs_.back().size();
-    slabs_.emplace_back().resize(std::max(least, std::clamp(grown, smallest, largest)));
+    References slab;
+    slab.resize(std::max(least, std::clamp(grown, smallest, largest)));
+    slabs_.push_back(std::move(slab));
     used_ = 0;
   }
 
@@ -126,6 +135,13 @@ class InnerLists {
 /// The inner objects of one tree.
 struct InnerObjects {
   explicit InnerObjects(InnerLimit limit) : meter(limit) {}
+
+  /// Before any list is kept: no list will be.
+  void give_up() {
+    meter.give_up();
+    store.clear();
+  }
+
   InnerMeter meter;
   InnerStore store;
   InnerLists lists;

@@ -116,7 +116,8 @@ class Joiner {
     if (ids.empty()) return;
     bool may_join = ids.size() <= most_joined_objects;
     for (const std::uint32_t id : ids) {
-      below.box.grow(intersection(objects_[id].box, cell));
+      const Aabb part = intersection(objects_[id].box, cell);
+      if (!part.empty()) below.box.grow(part);
       may_join = may_join && objects_[id].joins;
     }
     if (below.box.empty()) return;

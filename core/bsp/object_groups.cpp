@@ -60,6 +60,7 @@ ObjectGroups::Range ObjectGroups::sort() {
 }
 
 std::optional<std::size_t> ObjectGroups::split(Range group) {
+  if (group.size() < 2) return {};
   Split best = worst_split(group);
   for (int axis = 0; axis < 3; ++axis) find_best(axis, group, best);
   if (best.axis < 0) return {};
@@ -83,7 +84,7 @@ Aabb ObjectGroups::box(Range group) const {
   return box;
 }
 
-/// No better than the group as it is.
+/// Of the cost that another must be below: what the group costs as it is.
 ObjectGroups::Split ObjectGroups::worst_split(Range group) const {
   Sides sides;
   std::uint32_t eighths = 0;

@@ -11,7 +11,8 @@ namespace bspview {
 
 /// The objects of a leaf, to be dealt out to groups in boxes of their own: a plane would cut many
 /// of them long before a ray that passes their leaf meets most. Groups are split by the surface
-/// area heuristic over sorted objects (Goldsmith & Salmon 1987), whose boxes may overlap.
+/// area heuristic where objects sorted by their middles cost least on both sides (Wald, Boulos &
+/// Shirley 2007, section 3); their boxes may overlap.
 class ObjectGroups {
  public:
   /// Of one leaf; larger ones are as their builder was asked to leave them.

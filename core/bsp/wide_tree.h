@@ -43,6 +43,7 @@ struct alignas(64) WideNode {
 /// are disjoint as those of the binary tree, but for those of the groups that a leaf's objects are
 /// dealt out to: what a ray hits in one of these may be behind what it hits in the next.
 struct WideTree {
+  /// Nodes of the binary tree and of groups one below the other, at most.
   static constexpr int most_levels = depth_cap + ObjectGroups::most_levels;
 
   /// Depth first, so that a branch lies together. nodes[0] is the root; a lone leaf is its only
@@ -75,7 +76,7 @@ struct WideObject {
   bool joins = false;  ///< is tested together with others, see most_joined_objects
 };
 
-/// So many objects at once cost no more than one: leaves of fewer are joined.
+/// So many objects at once cost no more than one: leaves of no more are joined.
 inline constexpr int most_joined_objects = 8;
 
 struct Widened {

@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include "core/base/check.h"
+#include "core/math/mask_bits-inl.h"
 #include "core/shape/heights.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -58,10 +59,8 @@ Heights find_heights(std::span<const Vec3> points, int axis, float height) {
   for (; i + lanes <= points.size(); i += lanes) {
     const FloatV h = hn::Sub(coordinates.load(numbers + 3 * i), hn::Set(floats, height));
     nearest = hn::Min(hn::Abs(h), nearest);
-    std::uint8_t bits[8] = {};
     const auto is_below = hn::Lt(hn::BitCast(ints, h), hn::Zero(ints));
-    hn::StoreMaskBits(ints, is_below, bits);
-    heights.below |= static_cast<std::uint64_t>(bits[0] | bits[1] << 8) << i;
+    heights.below |= std::uint64_t{bits_of(ints, is_below)} << i;
   }
   heights.nearest = hn::GetLane(hn::MinOfLanes(floats, nearest));
   for (; i < points.size(); ++i) heights.add(i, component(points[i], axis) - height);

@@ -178,9 +178,11 @@ HWY_INLINE void find_some_planes(const AnyRay& ray, const TriangleBlock& block, 
                                hn::Set(tag, sum_of_magnitudes(ray.wide_direction)));
   const auto slope_open = hn::Lt(hn::Abs(slope), slope_size);
   const auto height_open = hn::Lt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-25), height_size));
-  // Signs that differ: t < 0, as most are where rays leave a surface.
-  const auto behind =
-      hn::And(hn::Lt(hn::Xor(height, slope), zero), hn::Ge(hn::Set(tag, ray.t_min), zero));
+  // Signs that differ: t <= 0, as most are where rays leave a surface.
+  constexpr hn::RebindToSigned<PlaneTag> ints;
+  const auto signs = hn::BitCast(ints, hn::Xor(height, slope));
+  const auto behind = hn::And(hn::RebindMask(tag, hn::Lt(signs, hn::Zero(ints))),
+                              hn::Ge(hn::Set(tag, ray.t_min), zero));
   const auto is_clear =
       hn::And(behind, hn::Gt(hn::Abs(height), hn::Mul(hn::Set(tag, 0x1p-48), height_size)));
   const auto open = hn::Or(slope_open, hn::AndNot(is_clear, height_open));

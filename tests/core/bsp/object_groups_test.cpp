@@ -135,6 +135,13 @@ TEST(ObjectGroups, HoldEveryObjectOnceInTheBoxOfItsGroup) {
   }
 }
 
+TEST(ObjectGroups, OfNothingOrOneThingStayWhole) {
+  Random random(4);
+  ObjectGroups groups;
+  EXPECT_FALSE(groups.split(fill(groups, {})));
+  EXPECT_FALSE(groups.split(fill(groups, random_members(1, 0.0f, random))));
+}
+
 TEST(ObjectGroups, OfEightAtOnceOrOfAlikesStayWhole) {
   Random random(3);
   ObjectGroups groups;
