@@ -85,10 +85,10 @@ TEST_F(Stats, OptionsReachTheTree) {
 }
 
 TEST_F(Stats, ASpentMemoryLimitIsSaid) {
-  const Json json = json_of("spd:jacks --memory-limit 20K");
+  const Json json = json_of("spd:jacks --memory-limit 4K");
   EXPECT_EQ(json["build"]["memory_limit_reached"], true);
-  EXPECT_LE(json["tree"]["bytes"], 20 * 1024);
-  EXPECT_NE(run("stats spd:jacks --memory-limit 20K").out.find("memory limit of 20"),
+  EXPECT_LE(json["tree"]["bytes"], 4 * 1024);
+  EXPECT_NE(run("stats spd:jacks --memory-limit 4K").out.find("memory limit of 4"),
             std::string::npos);
 }
 
