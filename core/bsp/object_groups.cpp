@@ -43,7 +43,8 @@ float ObjectGroups::Sides::half_area() const {
 }
 
 void ObjectGroups::add(std::uint32_t id, const Aabb& box, bool is_eighth) {
-  objects_[size_++] = {Sides(box), id, is_eighth ? 1 : 8 * lone_cost};
+  const int eighths = is_eighth ? 1 : 8 * lone_cost;
+  objects_[size_++] = {Sides(box), id, static_cast<std::uint32_t>(eighths)};
 }
 
 ObjectGroups::Range ObjectGroups::sort() {
