@@ -11,7 +11,7 @@ using TestCosts = std::array<float, 4>;
 
 /// Where C_T is 1, trees that are built with these are the fastest for rays to go through, as
 /// `bspeval tune` fits them. Triangles are tested eight at a time.
-inline constexpr TestCosts default_test_costs{0.04f, 0.5f, 0.06f, 0.25f};
+inline constexpr TestCosts default_test_costs{0.04f, 2.0f, 0.5f, 2.0f};
 
 inline float test_cost(const TestCosts& costs, ObjectKind kind) {
   return costs[static_cast<std::size_t>(kind)];
