@@ -97,10 +97,9 @@ Result<void> OverlayWork::operator()(const OverlayRequest& request, std::stop_to
     overlay->layer = *std::move(drawn);
   }
   if (request.accuracy) lay_over(overlay->layer, fault_marks(request.accuracy->faults));
-  overlay->seconds = timer.seconds();
   if (request.moving)
     min_pixels_ =
-        next_min_pixels(min_pixels_, 1e3f * static_cast<float>(overlay->seconds), moving_budget_ms);
+        next_min_pixels(min_pixels_, 1e3f * static_cast<float>(timer.seconds()), moving_budget_ms);
   publish(std::move(overlay));
   return {};
 }

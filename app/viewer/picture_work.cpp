@@ -32,7 +32,6 @@ std::shared_ptr<Picture> to_picture(const Frame& frame, const Picture* before) {
   auto picture = std::make_shared<Picture>();
   picture->pass = frame.pass;
   picture->pass_count = frame.pass_count;
-  picture->seconds = frame.seconds;
   picture->counts = frame.counts;
   picture->counted = frame.counted;
   // Once every pixel has its ray, later passes change the colours alone.

@@ -83,7 +83,6 @@ struct Picture {
   bool pixels_final = false;  ///< no later pass will change them
   std::shared_ptr<const FirstHits> first_hits;
   int pass = 0, pass_count = 0;
-  double seconds = 0.0;
   RayCounts counts;
   bool counted = false;
 
@@ -132,7 +131,6 @@ struct Overlay {
   OverlayRequest request;
   Layer layer;
   std::size_t lines = 0;
-  double seconds = 0.0;
 };
 
 struct MeasureRequest {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-#include "core/math/vec.h"
+#include "core/math/aabb.h"
 
 namespace bspview::test {
 
@@ -19,6 +19,13 @@ class Random {
   Vec3 point(float size) {
     const float x = between(-size, size), y = between(-size, size);
     return {x, y, between(-size, size)};
+  }
+  /// From a corner between -1 and 1 to one that is at most `size` from it along each axis.
+  Aabb box(float size) {
+    Aabb box;
+    box.grow(point(1.0f));
+    box.grow(box.lo + point(size));
+    return box;
   }
   /// Unit vector, evenly over the sphere.
   Vec3 direction() {

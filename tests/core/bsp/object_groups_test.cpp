@@ -23,9 +23,7 @@ struct Member {
 std::vector<Member> random_members(int count, float share_of_eighths, Random& random) {
   std::vector<Member> members;
   for (int i = 0; i < count; ++i) {
-    Aabb box;
-    box.grow(random.point(1.0f));
-    box.grow(box.lo + random.point(0.1f));
+    const Aabb box = random.box(0.1f);
     members.push_back({box, random.between(0.0f, 1.0f) < share_of_eighths});
   }
   return members;

@@ -58,12 +58,7 @@ struct Wide {
 
 std::vector<Aabb> random_boxes(int count, float size, Random& random) {
   std::vector<Aabb> boxes;
-  for (int i = 0; i < count; ++i) {
-    Aabb box;
-    box.grow(random.point(1.0f));
-    box.grow(box.lo + random.point(size));
-    boxes.push_back(box);
-  }
+  for (int i = 0; i < count; ++i) boxes.push_back(random.box(size));
   return boxes;
 }
 
