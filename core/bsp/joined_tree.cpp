@@ -10,6 +10,7 @@
 
 #include "core/base/parallel.h"
 #include "core/bsp/object_groups.h"
+#include "core/shape/triangle.h"
 
 namespace bspview {
 namespace {
@@ -134,8 +135,10 @@ class Joiner {
   std::uint32_t add_groups(std::span<const std::uint32_t> ids, const Aabb& cell) {
     groups_.clear();
     for (const std::uint32_t id : ids) {
-      const Aabb box = intersection(objects_[id].box, cell);
-      if (!box.empty()) groups_.add(id, box, objects_[id].joins);
+      const WideObject& object = objects_[id];
+      const Aabb box = object.triangle ? clip_triangle(object.triangle, object.box, cell)
+                                       : intersection(object.box, cell);
+      if (!box.empty()) groups_.add(id, box, object.joins);
     }
     return add_group(groups_.sort(), ObjectGroups::most_levels);
   }

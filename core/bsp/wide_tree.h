@@ -74,6 +74,7 @@ struct WideLeaves {
 struct WideObject {
   Aabb box;            ///< as the tree was built with, or larger
   bool joins = false;  ///< is tested together with others, see most_joined_objects
+  const Vec3* triangle = nullptr;  ///< its corners, where it is one
 };
 
 /// So many objects at once cost no more than one: leaves of no more are joined.

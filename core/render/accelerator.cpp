@@ -21,6 +21,15 @@ bool is_triangle(const Scene& scene, std::uint32_t object) {
   return scene.objects[object].kind == ObjectKind::triangle;
 }
 
+const Vec3* corners_of_triangle(const Scene& scene, std::uint32_t object) {
+  return &scene.vertices[scene.faces[scene.objects[object].shape].first_vertex];
+}
+
+WideObject wide_object(const Scene& scene, std::uint32_t id) {
+  const bool joins = is_triangle(scene, id);
+  return {hit_bounds(scene, id), joins, joins ? corners_of_triangle(scene, id) : nullptr};
+}
+
 /// What rays can hit of the objects in a leaf that was put off, in its cell.
 Aabb hit_bounds(const Scene& scene, const LazyPart& part) {
   return intersection(hit_bounds(scene, part.objects()), part.place().cell);
@@ -37,7 +46,7 @@ class LocalTree {
     number(parts);
     objects_.resize(ids_.size() + parts.size());
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-      objects_[i] = {hit_bounds(scene, ids_[i]), is_triangle(scene, ids_[i])};
+      objects_[i] = wide_object(scene, ids_[i]);
     }
     parallel_for(static_cast<int>(parts.size()), [&](int i) {
       const auto part = static_cast<std::size_t>(i);
@@ -115,7 +124,7 @@ RawVector<WideObject> wide_objects(const Scene& scene, const std::stop_token& st
     if (stop.stop_requested()) return;
     for (std::size_t i = first; i < last; ++i) {
       const auto id = static_cast<std::uint32_t>(i);
-      objects[i] = {hit_bounds(scene, id), is_triangle(scene, id)};
+      objects[i] = wide_object(scene, id);
     }
   });
   return objects;
@@ -123,10 +132,8 @@ RawVector<WideObject> wide_objects(const Scene& scene, const std::stop_token& st
 
 /// no_index: nothing, which no ray hits.
 void set_slot(const Scene& scene, TriangleBlock& block, std::size_t slot, std::uint32_t triangle) {
-  const Vec3* corners = nullptr;
-  if (triangle != no_index) {
-    corners = &scene.vertices[scene.faces[scene.objects[triangle].shape].first_vertex];
-  }
+  const Vec3* const corners =
+      triangle != no_index ? corners_of_triangle(scene, triangle) : nullptr;
   block.object[slot] = triangle;
   for (int vertex = 0; vertex < 3; ++vertex) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,9 +1,11 @@
 #include "core/shape/triangle.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "core/math/exact.h"
+#include "core/math/float_error.h"
 
 namespace bspview {
 namespace {
@@ -75,11 +77,64 @@ bool is_finite(const Vec3* vertices) {
   return zero == Vec3(0.0f);
 }
 
+/// A box in double.
+struct WideBox {
+  bool empty() const { return !(lo.x <= hi.x); }
+  void grow(const Vec3d& point) {
+    lo = glm::min(lo, point);
+    hi = glm::max(hi, point);
+  }
+
+  Vec3d lo{std::numeric_limits<double>::infinity()};
+  Vec3d hi{-std::numeric_limits<double>::infinity()};
+};
+
+/// Box of what of a triangle's edges lies between two planes across an axis.
+WideBox box_between(const Vec3d* corners, int axis, double lo, double hi) {
+  constexpr double hardly_any = 0x1p-800;  // along the planes: all of the edge, or nothing
+  WideBox box;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3d from = corners[i], way = corners[i == 2 ? 0 : i + 1] - from;
+    const double per_way = 1.0 / (way[axis] == 0.0 ? hardly_any : way[axis]);
+    const double a = (lo - from[axis]) * per_way, b = (hi - from[axis]) * per_way;
+    const double first = std::max(0.0, std::min(a, b)), last = std::min(1.0, std::max(a, b));
+    if (first > last) continue;
+    box.grow(from + first * way);
+    box.grow(from + last * way);
+  }
+  return box;
+}
+
 }  // namespace
 
 double hit_triangle_plane(const RayQuery& ray, const Vec3* vertices, Sides sides) {
   const std::optional<double> t = hit_triangle_plane_in_double(ray, vertices, sides);
   return t ? *t : hit_plane_beside(ray, vertices, sides);
+}
+
+Aabb clip_triangle(const Vec3* vertices, const Aabb& whole, const Aabb& cell) {
+  const Aabb overlap = intersection(whole, cell);
+  if (overlap.empty() || overlap == whole) return overlap;
+  // Points of edges are off by less than 2^-50 of the largest coordinate. Where planes cross them
+  // may be off by more, but by less than what the planes are moved outwards for.
+  const Vec3 sizes = glm::max(magnitudes(whole.lo), magnitudes(whole.hi));
+  const double margin = 0x1p-48 * double{largest_component(sizes)};
+  const Vec3d corners[3] = {Vec3d(vertices[0]), Vec3d(vertices[1]), Vec3d(vertices[2])};
+  WideBox part{Vec3d(overlap.lo), Vec3d(overlap.hi)};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (overlap.lo[axis] == whole.lo[axis] && overlap.hi[axis] == whole.hi[axis]) continue;
+    const WideBox between =
+        box_between(corners, axis, part.lo[axis] - margin, part.hi[axis] + margin);
+    if (between.empty()) return {};
+    part.lo = glm::max(part.lo, between.lo - margin);
+    part.hi = glm::min(part.hi, between.hi + margin);
+  }
+  Aabb rounded;
+  for (int axis = 0; axis < 3; ++axis) {
+    rounded.lo[axis] = round_down(part.lo[axis]);
+    rounded.hi[axis] = round_up(part.hi[axis]);
+  }
+  return rounded;
 }
 
 Vec2 triangle_weights(const Ray& ray, const Vec3* vertices) {
