@@ -7,11 +7,6 @@
 namespace bspview {
 namespace {
 
-/// Of objects that are so many eighths of a test each by itself.
-float test_cost(std::uint32_t eighths) {
-  return static_cast<float>((eighths + 7) / 8);
-}
-
 /// An integer that is as great among its like as the number among all numbers.
 std::uint64_t ordered(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -43,19 +38,20 @@ float ObjectGroups::Sides::half_area() const {
 }
 
 void ObjectGroups::add(std::uint32_t id, const Aabb& box, bool is_eighth) {
-  const int eighths = is_eighth ? 1 : 8 * lone_cost;
-  objects_[size_++] = {Sides(box), id, static_cast<std::uint32_t>(eighths)};
+  objects_[size_++] = {Sides(box), id, is_eighth};
 }
 
 ObjectGroups::Range ObjectGroups::sort() {
+  constexpr int index_bits = std::bit_width(most_objects) - 1;
+  static_assert(most_objects == std::size_t{1} << index_bits);
   std::array<std::uint64_t, most_objects> keys;
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < size_; ++i) {
       const Sides& sides = objects_[i].sides;
-      keys[i] = ordered(sides.above[axis] - sides.below[axis]) << 8 | i;
+      keys[i] = ordered(sides.above[axis] - sides.below[axis]) << index_bits | i;
     }
     std::sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(size_));
-    for (std::size_t i = 0; i < size_; ++i) order_[axis][i] = static_cast<std::uint8_t>(keys[i]);
+    for (std::size_t i = 0; i < size_; ++i) order_[axis][i] = static_cast<std::uint16_t>(keys[i] % most_objects);
   }
   return {0, size_};
 }
@@ -88,40 +84,40 @@ Aabb ObjectGroups::box(Range group) const {
 /// Of the cost that another must be below: what the group costs as it is.
 ObjectGroups::Split ObjectGroups::worst_split(Range group) const {
   Sides sides;
-  std::uint32_t eighths = 0;
+  ObjectTests tests;
   for (std::size_t i = group.first; i < group.last; ++i) {
     sides.grow(object(0, i).sides);
-    eighths += object(0, i).eighths;
+    tests.add(object(0, i).is_eighth);
   }
-  return {sides.half_area() * (test_cost(eighths) - box_cost)};
+  return {sides.half_area() * (tests.cost() - box_cost)};
 }
 
 void ObjectGroups::find_best(int axis, Range group, Split& best) {
   Sides sides;
-  std::uint32_t eighths = 0;
+  ObjectTests tests;
   for (std::size_t i = group.first; i + 1 < group.last; ++i) {
     const Object& next = object(axis, i);
     sides.grow(next.sides);
-    eighths += next.eighths;
-    cost_before_[i + 1] = sides.half_area() * test_cost(eighths);
+    tests.add(next.is_eighth);
+    cost_before_[i + 1] = sides.half_area() * tests.cost();
   }
   sides = {};
-  eighths = 0;
+  tests = {};
   for (std::size_t i = group.last - 1; i > group.first; --i) {
     const Object& next = object(axis, i);
     sides.grow(next.sides);
-    eighths += next.eighths;
-    const float cost = cost_before_[i] + sides.half_area() * test_cost(eighths);
+    tests.add(next.is_eighth);
+    const float cost = cost_before_[i] + sides.half_area() * tests.cost();
     if (cost < best.cost) best = {cost, axis, i};
   }
 }
 
 /// The objects of the first group before those of the second, in order.
 void ObjectGroups::partition(int axis, Range group) {
-  std::array<std::uint8_t, most_objects> second;
+  std::array<std::uint16_t, most_objects> second;
   std::size_t firsts = group.first, seconds = 0;
   for (std::size_t i = group.first; i < group.last; ++i) {
-    const std::uint8_t object = order_[axis][i];
+    const std::uint16_t object = order_[axis][i];
     order_[axis][firsts] = second[seconds] = object;
     firsts += is_second_[object] ? 0 : 1;
     seconds += is_second_[object] ? 1 : 0;

@@ -9,20 +9,33 @@
 
 namespace bspview {
 
-/// The objects of a leaf, to be dealt out to groups in boxes of their own: a plane would cut many
-/// of them long before a ray that passes their leaf meets most. Groups are split by the surface
-/// area heuristic where objects sorted by their middles cost least on both sides (Wald, Boulos &
-/// Shirley 2007, section 3); their boxes may overlap.
+/// What a ray pays for testing some objects, in tests of eight at once.
+class ObjectTests {
+ public:
+  /// Of an object that is tested by itself, as measured.
+  static constexpr int lone_cost = 2;
+
+  /// `is_eighth`: eight like it are tested at once.
+  void add(bool is_eighth) { eighths_ += is_eighth ? 1 : 8 * lone_cost; }
+  float cost() const { return static_cast<float>((eighths_ + 7) / 8); }
+
+ private:
+  std::uint32_t eighths_ = 0;
+};
+
+/// The objects of a small branch of a tree, to be dealt out to groups in boxes of their own: planes
+/// would cut many of them before a ray meets most. Groups are split by the surface area heuristic
+/// where objects sorted by their middles cost least on both sides (Wald, Boulos & Shirley 2007,
+/// section 3); their boxes may overlap.
 class ObjectGroups {
  public:
-  /// Of one leaf; larger ones are as their builder was asked to leave them.
-  static constexpr std::size_t most_objects = 256;
-  /// Below one leaf.
+  /// Of one branch. The more there are, the fewer steps rays take, and the longer groups take to
+  /// make; larger leaves are as their builder was asked to leave them.
+  static constexpr std::size_t most_objects = 512;
+  /// Of groups, one below the other.
   static constexpr int most_levels = 16;
   /// What a ray pays for a box, in tests of eight objects at once; as measured.
   static constexpr float box_cost = 1.2f;
-  /// The same for an object that is tested by itself.
-  static constexpr int lone_cost = 2;
 
   /// Some of the objects, by their places.
   struct Range {
@@ -31,8 +44,8 @@ class ObjectGroups {
   };
 
   void clear() { size_ = 0; }
-  /// What of an object lies in the leaf; at most most_objects. `is_eighth`: eight like it are
-  /// tested at once.
+  std::size_t size() const { return size_; }
+  /// What of an object lies in the branch; at most most_objects.
   void add(std::uint32_t id, const Aabb& box, bool is_eighth);
   /// Once all are there.
   Range sort();
@@ -56,7 +69,8 @@ class ObjectGroups {
   };
   struct Object {
     Sides sides;
-    std::uint32_t id, eighths;  ///< of a test
+    std::uint32_t id;
+    bool is_eighth;
   };
   struct Split {
     float cost;
@@ -71,7 +85,7 @@ class ObjectGroups {
 
   std::size_t size_ = 0;
   std::array<Object, most_objects> objects_;
-  std::array<std::array<std::uint8_t, most_objects>, 3> order_;  // by axis: objects by their middle
+  std::array<std::array<std::uint16_t, most_objects>, 3> order_;  // by axis: objects by their middle
   std::array<float, most_objects> cost_before_;  // by place: of the objects before it in the group
   std::array<bool, most_objects> is_second_;     // by object: in the group of two
 };

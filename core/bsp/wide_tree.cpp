@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/bsp/joined_tree.h"
+#include "core/bsp/grouped_tree.h"
 
 namespace bspview {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 /// The cells that a node of the binary tree is replaced by: those of the least expected cost.
 class NodeCells {
  public:
-  NodeCells(const JoinedTree& tree, std::uint32_t index) : tree_(tree) {
+  NodeCells(const GroupedTree& tree, std::uint32_t index) : tree_(tree) {
     if (tree.nodes[index].is_leaf()) {
       nodes_[size_++] = index;
     } else {
@@ -33,7 +33,7 @@ class NodeCells {
   /// them: what blocks rays is found sooner there than in the nearest.
   void sort_by_steps() {
     const auto steps = [&](std::uint32_t cell) {
-      const JoinedNode& node = tree_.nodes[cell];
+      const GroupedNode& node = tree_.nodes[cell];
       return node.cost[0] / std::max(half_area(node.box), 0x1p-120f);
     };
     std::ranges::stable_sort(std::span(nodes_).first(static_cast<std::size_t>(size_)),
@@ -41,7 +41,7 @@ class NodeCells {
   }
 
   void add(std::uint32_t index, int cells) {
-    const JoinedNode& node = tree_.nodes[index];
+    const GroupedNode& node = tree_.nodes[index];
     while (cells > 1 && node.cost[cells - 2] == node.cost[cells - 1]) --cells;
     if (cells > 1 && !node.is_leaf()) {
       add_below(index, cells);
@@ -50,13 +50,13 @@ class NodeCells {
     }
   }
   void add_below(std::uint32_t index, int cells) {
-    const JoinedNode& node = tree_.nodes[index];
+    const GroupedNode& node = tree_.nodes[index];
     const int left = share_cells(tree_.nodes[node.first], tree_.nodes[node.other], cells).left;
     add(node.first, left);
     add(node.other, cells - left);
   }
 
-  const JoinedTree& tree_;
+  const GroupedTree& tree_;
   std::uint32_t nodes_[WideNode::width];
   int size_ = 0;
 };
@@ -66,7 +66,7 @@ bool is_used(const WideNode& node, int slot) {
 }
 
 /// A node with nothing but the bounds of its cells.
-WideNode make_node(const JoinedTree& tree, const NodeCells& cells) {
+WideNode make_node(const GroupedTree& tree, const NodeCells& cells) {
   WideNode node = WideNode::without_cells();
   for (int slot = 0; slot < cells.size(); ++slot) {
     node.set_bounds(slot, tree.nodes[cells[slot]].box);
@@ -86,7 +86,7 @@ struct Piece {
 
 class PieceMaker {
  public:
-  PieceMaker(const JoinedTree& tree, const std::stop_token& stop, Piece& piece)
+  PieceMaker(const GroupedTree& tree, const std::stop_token& stop, Piece& piece)
       : tree_(tree), stop_(stop), piece_(piece) {}
 
   /// Answers the child.
@@ -104,12 +104,12 @@ class PieceMaker {
   }
 
  private:
-  std::uint32_t make_leaf(const JoinedNode& leaf) {
+  std::uint32_t make_leaf(const GroupedNode& leaf) {
     piece_.leaves.push_back({leaf.first, leaf.other});
     return WideNode::leaf_bit | static_cast<std::uint32_t>(piece_.leaves.size() - 1);
   }
 
-  const JoinedTree& tree_;
+  const GroupedTree& tree_;
   const std::stop_token& stop_;
   Piece& piece_;
 };
@@ -117,7 +117,7 @@ class PieceMaker {
 /// Plans the pieces, makes them and puts them together, depth first all along.
 class Widener {
  public:
-  Widener(const JoinedTree& tree, const std::stop_token& stop) : tree_(tree), stop_(stop) {
+  Widener(const GroupedTree& tree, const std::stop_token& stop) : tree_(tree), stop_(stop) {
     constexpr std::uint32_t worth_a_piece = 512, most_pieces = 256;  // about
     if (!tree.nodes.empty()) {
       most_inner_ = std::max(worth_a_piece, tree.nodes.back().inner / most_pieces);
@@ -200,7 +200,7 @@ class Widener {
     return child + (child & WideNode::leaf_bit ? piece.first_leaf : piece.first_node);
   }
 
-  const JoinedTree& tree_;
+  const GroupedTree& tree_;
   const std::stop_token& stop_;
   std::uint32_t most_inner_ = 0;  // nodes of the binary tree below a piece
   std::vector<Piece> pieces_;
@@ -209,12 +209,11 @@ class Widener {
 
 }  // namespace
 
-std::optional<Widened> widen(const Tree& tree, std::span<const WideObject> objects,
-                             std::stop_token stop) {
-  JoinedTree joined = join_leaves(tree, objects, stop);
+std::optional<Widened> widen(const Tree& tree, const WideObjects& objects, std::stop_token stop) {
+  GroupedTree grouped = group_objects(tree, objects, stop);
   if (stop.stop_requested()) return {};
-  std::optional<Widened> widened = Widener(joined, stop).widen();
-  if (widened) widened->leaves.objects = std::move(joined.objects);
+  std::optional<Widened> widened = Widener(grouped, stop).widen();
+  if (widened) widened->leaves.objects = std::move(grouped.objects);
   return widened;
 }
 

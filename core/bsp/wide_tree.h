@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -72,13 +73,20 @@ struct WideLeaves {
 
 /// What a wide tree has to know of an object.
 struct WideObject {
-  Aabb box;            ///< as the tree was built with, or larger
-  bool joins = false;  ///< is tested together with others, see most_joined_objects
-  const Vec3* triangle = nullptr;  ///< its corners, where it is one
+  Aabb box;                ///< as the tree was built with, or larger
+  bool is_eighth = false;  ///< eight like it are tested at once, see ObjectTests
+  bool is_alone = false;   ///< is no object but a tree of its own, the only one in its leaf
 };
 
-/// So many objects at once cost no more than one: leaves of no more are joined.
-inline constexpr int most_joined_objects = 8;
+/// The objects of a tree.
+struct WideObjects {
+  /// A box around the part of an object in a cell, or a little larger; empty only where there is
+  /// none. Called from several threads.
+  using PartFunction = std::function<Aabb(std::uint32_t object, const Aabb& cell)>;
+
+  std::span<const WideObject> list;
+  PartFunction part;
+};
 
 struct Widened {
   WideTree tree;  ///< its leaves are named by their number
@@ -87,7 +95,7 @@ struct Widened {
 
 /// The same for any number of threads (of the enclosing with_threads). Nothing soon after a stop is
 /// requested.
-std::optional<Widened> widen(const Tree& tree, std::span<const WideObject> objects,
+std::optional<Widened> widen(const Tree& tree, const WideObjects& objects,
                              std::stop_token stop = {});
 
 }  // namespace bspview

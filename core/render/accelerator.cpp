@@ -26,8 +26,7 @@ const Vec3* corners_of_triangle(const Scene& scene, std::uint32_t object) {
 }
 
 WideObject wide_object(const Scene& scene, std::uint32_t id) {
-  const bool joins = is_triangle(scene, id);
-  return {hit_bounds(scene, id), joins, joins ? corners_of_triangle(scene, id) : nullptr};
+  return {hit_bounds(scene, id), is_triangle(scene, id)};
 }
 
 /// What rays can hit of the objects in a leaf that was put off, in its cell.
@@ -41,7 +40,9 @@ class LocalTree {
  public:
   LocalTree(const Scene& scene, const Tree& tree,
             std::span<const std::shared_ptr<const LazyPart>> parts)
-      : first_part_(static_cast<std::uint32_t>(scene.objects.size())), tree_(tree) {
+      : scene_(scene),
+        first_part_(static_cast<std::uint32_t>(scene.objects.size())),
+        tree_(tree) {
     find_ids(parts);
     number(parts);
     objects_.resize(ids_.size() + parts.size());
@@ -50,12 +51,16 @@ class LocalTree {
     }
     parallel_for(static_cast<int>(parts.size()), [&](int i) {
       const auto part = static_cast<std::size_t>(i);
-      objects_[ids_.size() + part] = {hit_bounds(scene, *parts[part]), false};
+      objects_[ids_.size() + part] = {.box = hit_bounds(scene, *parts[part]), .is_alone = true};
     });
   }
 
   const Tree& tree() const { return tree_; }
-  std::span<const WideObject> objects() const { return objects_; }
+  WideObjects objects() const {
+    return {objects_, [this](std::uint32_t object, const Aabb& cell) {
+              return hit_bounds(scene_, name_of(object), objects_[object].box, cell);
+            }};
+  }
   /// The id of an object; parts come behind all objects of the scene.
   std::uint32_t name_of(std::uint32_t object) const {
     if (object < ids_.size()) return ids_[object];
@@ -111,6 +116,7 @@ class LocalTree {
     tree_.references = std::move(references);
   }
 
+  const Scene& scene_;
   const std::uint32_t first_part_;
   Tree tree_;
   std::vector<std::uint32_t> ids_;
@@ -314,7 +320,11 @@ std::shared_ptr<const Accelerator> make_accelerator(const World& world, std::sto
   try {
     auto accelerator = std::make_shared<Accelerator>();
     with_threads(world.tree.params.threads, [&] {
-      auto widened = widen(world.tree, wide_objects(world.scene, stop), stop);
+      const RawVector<WideObject> objects = wide_objects(world.scene, stop);
+      const auto part = [&](std::uint32_t id, const Aabb& cell) {
+        return hit_bounds(world.scene, id, objects[id].box, cell);
+      };
+      auto widened = widen(world.tree, {objects, part}, stop);
       if (!widened) return;
       accelerator->tree_ = std::move(widened->tree);
       Accelerator::LeafMaker(world.scene, widened->leaves, *accelerator).make(stop);

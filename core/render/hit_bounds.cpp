@@ -2,40 +2,64 @@
 
 #include <algorithm>
 
+#include "core/math/float_error.h"
+#include "core/shape/polygon.h"
+#include "core/shape/triangle.h"
+
 namespace bspview {
 namespace {
 
-/// By how much the tests of round shapes and of polygons in a box may be off.
-float rounding_in(const Aabb& box) {
-  const Vec3 far = glm::max(magnitudes(box.lo), magnitudes(box.hi));
-  return 0x1p-23f * largest_component(far);
+double largest_coordinate(const Aabb& box) {
+  return largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)));
+}
+
+/// By how much the tests of round shapes in a box may be off.
+double rounding_in(const Aabb& box) {
+  return 0x1p-23 * largest_coordinate(box);
 }
 
 /// How far what counts as a hit may lie beside an object's box. Triangles are decided exactly; the
-/// tests of round shapes round, and polygons are met where their vertices are off their plane.
-float margin_around(const Scene& scene, std::uint32_t id, const Aabb& box) {
+/// tests of round shapes round; polygons are met where their vertices are off their plane, and by
+/// less than 2^-48 of the coordinates beside that.
+double margin_around(const Scene& scene, std::uint32_t id, const Aabb& box) {
   const Object& object = scene.objects[id];
-  if (object.kind == ObjectKind::triangle) return 0.0f;
-  const float rounding = rounding_in(box);
-  if (object.kind != ObjectKind::polygon) return rounding;
+  if (object.kind == ObjectKind::triangle) return 0.0;
+  if (object.kind != ObjectKind::polygon) return rounding_in(box);
   const PolygonPlane& plane = scene.planes[scene.faces[object.shape].plane];
   const Vec3d slopes = magnitudes(plane.normal);
-  return rounding +
-         static_cast<float>(2.0 * plane.thickness / std::max({slopes.x, slopes.y, slopes.z}));
+  return 2.0 * plane.thickness / std::max({slopes.x, slopes.y, slopes.z}) +
+         0x1p-44 * largest_coordinate(box);
+}
+
+Aabb grown(const Aabb& box, double margin) {
+  Aabb more;
+  for (int axis = 0; axis < 3; ++axis) {
+    more.lo[axis] = round_down(double{box.lo[axis]} - margin);
+    more.hi[axis] = round_up(double{box.hi[axis]} + margin);
+  }
+  return more;
 }
 
 }  // namespace
 
 Aabb hit_bounds(const Scene& scene, std::uint32_t id) {
   const Aabb box = object_bounds(scene, id);
-  if (box.empty()) return box;
-  const float margin = margin_around(scene, id, box);
-  return margin > 0.0f ? Aabb{box.lo - margin, box.hi + margin} : box;
+  return box.empty() ? box : grown(box, margin_around(scene, id, box));
 }
 
 Aabb hit_bounds(const Scene& scene, const ObjectPart& part) {
-  const float margin = margin_around(scene, part.object, part.box);
-  return {part.box.lo - margin, part.box.hi + margin};
+  return grown(part.box, margin_around(scene, part.object, part.box));
+}
+
+Aabb hit_bounds(const Scene& scene, std::uint32_t id, const Aabb& whole, const Aabb& cell) {
+  const Object& object = scene.objects[id];
+  const bool is_triangle = object.kind == ObjectKind::triangle;
+  if (!is_triangle && object.kind != ObjectKind::polygon) return intersection(whole, cell);
+  const std::span<const Vec3> vertices = vertices_of(scene, scene.faces[object.shape]);
+  if (is_triangle) return clip_triangle(vertices.data(), whole, cell);
+  const double margin = margin_around(scene, id, whole);
+  const Aabb part = clip_polygon(vertices, grown(cell, margin));
+  return part.empty() ? part : intersection(grown(part, margin), cell);
 }
 
 Aabb hit_bounds(const Scene& scene, std::span<const ObjectPart> parts) {
@@ -44,8 +68,7 @@ Aabb hit_bounds(const Scene& scene, std::span<const ObjectPart> parts) {
   for (const ObjectPart& part : parts) all.grow(has_polygons ? hit_bounds(scene, part) : part.box);
   const bool has_round_shapes = !scene.spheres.empty() || !scene.cones.empty();
   if (has_polygons || !has_round_shapes || all.empty()) return all;
-  const float margin = rounding_in(all);  // no less than that of each
-  return {all.lo - margin, all.hi + margin};
+  return grown(all, rounding_in(all));  // no less than that of each
 }
 
 }  // namespace bspview

@@ -10,7 +10,7 @@
 
 namespace bspview {
 
-struct JoinedNode {
+struct GroupedNode {
   Aabb box;             ///< of the parts of objects in its cell, or in its group
   std::uint32_t inner;  ///< inner nodes from here down; 0: it is a leaf
   std::uint32_t first;  ///< left child; of a leaf: index of its first object
@@ -29,17 +29,17 @@ struct CellShares {
   int left;
 };
 /// `cells`: 2 to WideNode::width.
-CellShares share_cells(const JoinedNode& left, const JoinedNode& right, int cells);
+CellShares share_cells(const GroupedNode& left, const GroupedNode& right, int cells);
 
-/// A binary tree without empty leaves. Leaves of few objects are joined with their neighbours where
-/// they may be, the objects of larger ones are dealt out to groups (ObjectGroups).
-struct JoinedTree {
-  RawVector<JoinedNode> nodes;       ///< children come before their parents; the last is the root
+/// The upper part of a BSP tree without its empty leaves. The objects of each of its branches that
+/// holds few are dealt out to groups (ObjectGroups).
+struct GroupedTree {
+  RawVector<GroupedNode> nodes;      ///< children come before their parents; the last is the root
   RawVector<std::uint32_t> objects;  ///< ascending ids in every leaf
 };
 
 /// The same for any number of threads. Without use once a stop is requested.
-JoinedTree join_leaves(const Tree& tree, std::span<const WideObject> objects,
-                       const std::stop_token& stop);
+GroupedTree group_objects(const Tree& tree, const WideObjects& objects,
+                          const std::stop_token& stop);
 
 }  // namespace bspview
