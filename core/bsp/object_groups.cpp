@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 namespace bspview {
@@ -20,10 +21,10 @@ ObjectGroups::Sides::Sides() {
   std::ranges::fill(above, -std::numeric_limits<float>::infinity());
 }
 
-ObjectGroups::Sides::Sides(const Aabb& box) : Sides() {
+ObjectGroups::Sides::Sides(const Aabb& box, float scale) : Sides() {
   for (int axis = 0; axis < 3; ++axis) {
-    below[axis] = -box.lo[axis];
-    above[axis] = box.hi[axis];
+    below[axis] = -scale * box.lo[axis];
+    above[axis] = scale * box.hi[axis];
   }
 }
 
@@ -38,12 +39,14 @@ float ObjectGroups::Sides::half_area() const {
 }
 
 void ObjectGroups::add(std::uint32_t id, const Aabb& box, bool is_eighth) {
-  objects_[size_++] = {Sides(box), id, is_eighth};
+  objects_[size_++] = {{}, box, id, is_eighth};
 }
 
 ObjectGroups::Range ObjectGroups::sort() {
   constexpr int index_bits = std::bit_width(most_objects) - 1;
   static_assert(most_objects == std::size_t{1} << index_bits);
+  const float unit = scale();
+  for (std::size_t i = 0; i < size_; ++i) objects_[i].sides = Sides(objects_[i].box, unit);
   std::array<std::uint64_t, most_objects> keys;
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < size_; ++i) {
@@ -71,14 +74,19 @@ std::optional<std::size_t> ObjectGroups::split(Range group) {
 }
 
 Aabb ObjectGroups::box(Range group) const {
-  Sides sides;
-  for (std::size_t i = group.first; i < group.last; ++i) sides.grow(object(0, i).sides);
   Aabb box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lo[axis] = -sides.below[axis];
-    box.hi[axis] = sides.above[axis];
-  }
+  for (std::size_t i = group.first; i < group.last; ++i) box.grow(object(0, i).box);
   return box;
+}
+
+/// A power of two by which areas neither overflow nor vanish.
+float ObjectGroups::scale() const {
+  Vec3 most(0.0f);
+  for (std::size_t i = 0; i < size_; ++i) {
+    most = glm::max(most, glm::max(magnitudes(objects_[i].box.lo), magnitudes(objects_[i].box.hi)));
+  }
+  const float largest = std::clamp(largest_component(most), 0x1p-120f, 0x1p120f);
+  return std::ldexp(1.0f, -std::ilogb(largest));
 }
 
 /// Of the cost that another must be below: what the group costs as it is.

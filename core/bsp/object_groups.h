@@ -61,14 +61,15 @@ class ObjectGroups {
   /// A box by -lo and hi: the greatest of both sides make the box around two.
   struct alignas(16) Sides {
     Sides();
-    explicit Sides(const Aabb& box);
+    Sides(const Aabb& box, float scale);
     void grow(const Sides& other);
     float half_area() const;
 
     float below[4], above[4];
   };
   struct Object {
-    Sides sides;
+    Sides sides;  ///< from sort() on: in units in which no coordinate is far above 1
+    Aabb box;
     std::uint32_t id;
     bool is_eighth;
   };
@@ -79,6 +80,7 @@ class ObjectGroups {
   };
 
   const Object& object(int axis, std::size_t place) const { return objects_[order_[axis][place]]; }
+  float scale() const;
   Split worst_split(Range group) const;
   void find_best(int axis, Range group, Split& best);
   void partition(int axis, Range group);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <span>
@@ -48,12 +49,12 @@ std::vector<Member> members_of(const ObjectGroups& groups, ObjectGroups::Range r
 /// Of a ray that meets the box of some members and tests them all.
 double cost_of(std::span<const Member> members) {
   Aabb box;
-  int eighths = 0;
+  double eighths = 0.0;
   for (const Member& member : members) {
     box.grow(member.box);
-    eighths += member.is_eighth ? 1 : 8 * ObjectGroups::lone_cost;
+    eighths += member.is_eighth ? 1.0 : 8.0 * ObjectTests::lone_cost;
   }
-  return half_area(box) * static_cast<double>((eighths + 7) / 8);
+  return half_area(box) * std::ceil(eighths / 8.0);
 }
 
 /// Of the cheapest way to deal members out to two groups by the middles of their boxes.
@@ -146,6 +147,24 @@ TEST(ObjectGroups, OfEightAtOnceOrOfAlikesStayWhole) {
   EXPECT_FALSE(groups.split(fill(groups, random_members(8, 1.0f, random))));
   const std::vector<Member> alike(100, {{Vec3(0.0f), Vec3(1.0f)}, false});
   EXPECT_FALSE(groups.split(fill(groups, alike)));
+}
+
+TEST(ObjectGroups, OfPointsAndOfFarBoxesAreDealtOutAsOthersAre) {
+  for (const float size : {0.0f, 1e-3f, 1e15f}) {
+    const float far = size > 1.0f ? 1e18f : 1.0f;
+    std::vector<Member> members;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 corner(far * static_cast<float>(i), 0.0f, 0.0f);
+      members.push_back({{corner, corner + Vec3(size)}, true});
+    }
+    ObjectGroups groups;
+    std::size_t found = 0;
+    for (const auto group : all_groups(groups, fill(groups, members), [](auto, auto) {})) {
+      EXPECT_FALSE(groups.box(group).empty());
+      found += group.size();
+    }
+    EXPECT_EQ(found, 200u);
+  }
 }
 
 }  // namespace

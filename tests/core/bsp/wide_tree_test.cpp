@@ -10,7 +10,7 @@
 
 #include "core/base/parallel.h"
 #include "core/bsp/build.h"
-#include "core/bsp/joined_tree.h"
+#include "core/bsp/grouped_tree.h"
 #include "tests/support/random.h"
 
 namespace bspview {
@@ -18,19 +18,26 @@ namespace {
 
 using test::Random;
 
-/// What a wide tree is made of; every object joins others or none does.
-std::vector<WideObject> objects_in(std::span<const Aabb> boxes, bool joins) {
-  std::vector<WideObject> objects;
-  for (const Aabb& box : boxes) objects.push_back({box, joins});
-  return objects;
-}
+/// Objects that fill their boxes, and are tested eight at once or one by one.
+struct Boxes {
+  Boxes(std::span<const Aabb> boxes, bool are_eighths) {
+    for (const Aabb& box : boxes) list.push_back({box, are_eighths});
+  }
+  WideObjects objects() const {
+    return {list, [this](std::uint32_t object, const Aabb& cell) {
+              return intersection(list[object].box, cell);
+            }};
+  }
+
+  std::vector<WideObject> list;
+};
 
 /// A tree over boxes, and its wide form.
 struct Wide {
-  Wide(std::vector<Aabb> objects, const BuildParams& params, bool joins)
+  Wide(std::vector<Aabb> objects, const BuildParams& params, bool are_eighths)
       : boxes(std::move(objects)), tree(*build_tree({boxes, {}}, params)) {
-    const std::vector<WideObject> list = objects_in(boxes, joins);
-    Widened widened = *widen(tree, list);
+    const Boxes list(boxes, are_eighths);
+    Widened widened = *widen(tree, list.objects());
     wide = std::move(widened.tree);
     leaves = std::move(widened.leaves);
   }
@@ -76,12 +83,12 @@ TEST(WideTree, LeadsToEveryObjectFromEveryPointOfItsBox) {
   const BuildParams builds[] = {
       {.builder = Builder::median},
       {.builder = Builder::sah},
-      {.builder = Builder::sah, .max_depth = 3},  // leaves whose objects are dealt out to groups
-      {.builder = Builder::sah, .max_depth = 0},  // one that is too large for that
+      {.builder = Builder::sah, .max_depth = 3},
+      {.builder = Builder::sah, .max_depth = 0},  // one leaf, too large to be dealt out to groups
   };
   for (const BuildParams& params : builds) {
-    for (const bool joins : {false, true}) {
-      const Wide widened(random_boxes(500, 0.2f, random), params, joins);
+    for (const bool are_eighths : {false, true}) {
+      const Wide widened(random_boxes(2000, 0.2f, random), params, are_eighths);
       for (std::uint32_t object = 0; object < widened.boxes.size(); ++object) {
         const Aabb& box = widened.boxes[object];
         for (const Vec3 point : {box.lo, box.hi, point_in(box, random), point_in(box, random)}) {
@@ -107,13 +114,13 @@ TEST(WideTree, HoldsNothingInSlotsWithoutACell) {
 
 /// What a ray is expected to cost from a node of the binary tree down, when wide nodes are made
 /// of it at random.
-double cost_at_random(const JoinedTree& tree, std::uint32_t index, Random& random) {
-  const JoinedNode& node = tree.nodes[index];
+double cost_at_random(const GroupedTree& tree, std::uint32_t index, Random& random) {
+  const GroupedNode& node = tree.nodes[index];
   if (node.is_leaf()) return node.cost[0];
   std::vector<std::uint32_t> cells{node.first, node.other};
   for (int tries = 0; tries < 20 && cells.size() < WideNode::width; ++tries) {
     const auto i = static_cast<std::size_t>(random.between(0.0f, 0.999f) * cells.size());
-    const JoinedNode split = tree.nodes[cells[i]];
+    const GroupedNode split = tree.nodes[cells[i]];
     if (split.is_leaf()) continue;
     cells[i] = split.first;
     cells.push_back(split.other);
@@ -123,20 +130,26 @@ double cost_at_random(const JoinedTree& tree, std::uint32_t index, Random& rando
   return cost;
 }
 
+/// What testing so many objects alike costs.
+double cost_of_tests(std::size_t count, bool are_eighths) {
+  ObjectTests tests;
+  for (std::size_t i = 0; i < count; ++i) tests.add(are_eighths);
+  return tests.cost();
+}
+
 /// The same for a wide tree, whose root has the box of the binary one's.
-double cost_of(const Wide& wide, double root_area) {
+double cost_of(const Wide& wide, double root_area, bool are_eighths) {
   double cost = root_area;
   for (const WideNode& node : wide.wide.nodes) {
     for (int slot = 0; slot < WideNode::width; ++slot) {
       const Aabb box = node.box(slot);
       if (box.empty()) continue;
       const std::uint32_t child = node.child[slot];
-      const std::size_t steps =
+      const double steps =
           child & WideNode::leaf_bit
-              ? (wide.leaves[child & ~WideNode::leaf_bit].size() + most_joined_objects - 1) /
-                    most_joined_objects
-              : 1;
-      cost += static_cast<double>(half_area(box)) * static_cast<double>(steps);
+              ? cost_of_tests(wide.leaves[child & ~WideNode::leaf_bit].size(), are_eighths)
+              : 1.0;
+      cost += static_cast<double>(half_area(box)) * steps;
     }
   }
   return cost;
@@ -144,30 +157,30 @@ double cost_of(const Wide& wide, double root_area) {
 
 TEST(WideTree, CostsLessThanNodesMadeAtRandom) {
   Random random(7);
-  for (const bool joins : {false, true}) {
-    const Wide widened(random_boxes(400, 0.2f, random), {}, joins);
-    const JoinedTree joined = join_leaves(widened.tree, objects_in(widened.boxes, joins), {});
-    const JoinedNode& root = joined.nodes.back();
-    const double cost = cost_of(widened, half_area(root.box));
+  for (const bool are_eighths : {false, true}) {
+    const Wide widened(random_boxes(400, 0.2f, random), {}, are_eighths);
+    const Boxes boxes(widened.boxes, are_eighths);
+    const GroupedTree grouped = group_objects(widened.tree, boxes.objects(), {});
+    const GroupedNode& root = grouped.nodes.back();
+    const double cost = cost_of(widened, half_area(root.box), are_eighths);
     EXPECT_NEAR(cost, root.cost[0], 1e-4 * cost);
     for (int i = 0; i < 100; ++i) {
-      const auto last = static_cast<std::uint32_t>(joined.nodes.size() - 1);
-      ASSERT_LT(cost, cost_at_random(joined, last, random));
+      const auto last = static_cast<std::uint32_t>(grouped.nodes.size() - 1);
+      ASSERT_LT(cost, cost_at_random(grouped, last, random));
     }
   }
 }
 
 /// Steps that a ray which meets the cell of `slot` is expected to take there and below.
-double steps_in(const Wide& wide, const WideNode& node, int slot) {
+double steps_in(const Wide& wide, const WideNode& node, int slot, bool are_eighths) {
   const std::uint32_t child = node.child[slot];
   if (child & WideNode::leaf_bit) {
-    const std::size_t objects = wide.leaves[child & ~WideNode::leaf_bit].size();
-    return std::ceil(static_cast<double>(objects) / most_joined_objects);
+    return cost_of_tests(wide.leaves[child & ~WideNode::leaf_bit].size(), are_eighths);
   }
   const WideNode& below = wide.wide.nodes[child];
   double steps = 1.0;
   for (int i = 0; i < WideNode::width && !below.box(i).empty(); ++i) {
-    steps += half_area(below.box(i)) / half_area(node.box(slot)) * steps_in(wide, below, i);
+    steps += half_area(below.box(i)) / half_area(node.box(slot)) * steps_in(wide, below, i, are_eighths);
   }
   return steps;
 }
@@ -175,13 +188,13 @@ double steps_in(const Wide& wide, const WideNode& node, int slot) {
 TEST(WideTree, CellsOfMoreStepsComeFirst) {
   Random random(8);
   for (const int max_depth : {5, 30}) {  // with leaves of more steps than nodes, and without
-    for (const bool joins : {false, true}) {
-      const Wide wide(random_boxes(3000, 0.2f, random), {.max_depth = max_depth}, joins);
+    for (const bool are_eighths : {false, true}) {
+      const Wide wide(random_boxes(3000, 0.2f, random), {.max_depth = max_depth}, are_eighths);
       int falls = 0;
       for (const WideNode& node : wide.wide.nodes) {
         double before = std::numeric_limits<double>::infinity();
         for (int slot = 0; slot < WideNode::width && !node.box(slot).empty(); ++slot) {
-          const double steps = steps_in(wide, node, slot);
+          const double steps = steps_in(wide, node, slot, are_eighths);
           ASSERT_LE(steps, before * (1.0 + 1e-4));
           falls += slot > 0 && steps < 0.9 * before ? 1 : 0;
           before = steps;
@@ -192,31 +205,95 @@ TEST(WideTree, CellsOfMoreStepsComeFirst) {
   }
 }
 
-bool is_in_one_leaf(const Tree& tree, std::span<const std::uint32_t> objects) {
-  return std::ranges::any_of(tree.nodes, [&](const Node& node) {
-    return node.is_leaf() && std::ranges::includes(tree.objects_of(node), objects);
-  });
+TEST(WideTree, HoldsEveryObjectOnceBelowABranchOfFewReferences) {
+  Random random(3);
+  const Wide wide(random_boxes(100, 0.5f, random), {}, true);
+  ASSERT_GT(wide.tree.references.size(), 100u);
+  ASSERT_LE(wide.tree.references.size(), ObjectGroups::most_objects);
+  EXPECT_EQ(wide.leaves.objects.size(), 100u);
+  for (std::size_t i = 0; i < wide.leaves.size(); ++i) {
+    EXPECT_TRUE(std::ranges::is_sorted(wide.leaves[i]));
+  }
 }
 
-TEST(WideTree, JoinsLeavesOfFewObjectsOnlyWhereTheyMay) {
-  Random random(3);
-  const std::vector<Aabb> boxes = random_boxes(300, 0.1f, random);
-  const Wide joined(boxes, {}, true), apart(boxes, {}, false);
-  EXPECT_LT(joined.leaves.size(), apart.leaves.size());
-  std::size_t largest = most_joined_objects;
-  for (const Node& node : apart.tree.nodes) {
-    if (node.is_leaf()) largest = std::max<std::size_t>(largest, node.count());
+TEST(WideTree, KeepsCellsAboveBranchesOfFewReferences) {
+  Random random(9);
+  const Wide wide(random_boxes(4000, 0.2f, random), {}, true);
+  std::size_t repeated = wide.leaves.objects.size() - 4000;
+  EXPECT_GT(repeated, 0u);
+  EXPECT_LT(repeated, wide.tree.references.size() - 4000);
+}
+
+int levels_below(const GroupedTree& tree, std::uint32_t index) {
+  const GroupedNode& node = tree.nodes[index];
+  if (node.is_leaf()) return 0;
+  return 1 + std::max(levels_below(tree, node.first), levels_below(tree, node.other));
+}
+
+TEST(WideTree, HasNoMoreLevelsOfGroupsThanAStackHasRoomFor) {
+  std::vector<Aabb> boxes;  // each far beyond all before it, so that it is split off alone
+  for (int i = -90; i < 90; ++i) {
+    const Vec3 corner(std::ldexp(1.0f, i));
+    boxes.push_back({corner, 1.01f * corner});
   }
-  for (std::size_t i = 0; i < apart.leaves.size(); ++i) {
-    EXPECT_TRUE(is_in_one_leaf(apart.tree, apart.leaves[i]));
+  const Tree tree = *build_tree({boxes, {}}, {.max_depth = 0});
+  const Boxes list(boxes, false);
+  const GroupedTree grouped = group_objects(tree, list.objects(), {});
+  const auto root = static_cast<std::uint32_t>(grouped.nodes.size() - 1);
+  EXPECT_EQ(levels_below(grouped, root), ObjectGroups::most_levels);
+  EXPECT_EQ(grouped.objects.size(), boxes.size());
+}
+
+TEST(WideTree, LeavesALargeLeafAsItIs) {
+  Random random(10);
+  const auto boxes = random_boxes(ObjectGroups::most_objects + 1, 0.1f, random);
+  const Wide wide(boxes, {.max_depth = 0}, true);
+  ASSERT_EQ(wide.leaves.size(), 1u);
+  EXPECT_EQ(wide.leaves[0].size(), boxes.size());
+}
+
+TEST(WideTree, LeavesAloneWhatIsATreeOfItsOwn) {
+  Random random(11);
+  const auto boxes = random_boxes(60, 0.01f, random);
+  const Tree tree = *build_tree({boxes, {}}, {.cost_intersection = 100.0f});
+  Boxes some(boxes, true);
+  std::size_t alone = 0;
+  for (const Node& node : tree.nodes) {
+    if (!node.is_leaf() || node.count() != 1) continue;
+    WideObject& object = some.list[tree.objects_of(node)[0]];
+    alone += object.is_alone ? 0 : 1;
+    object = {object.box, false, true};
   }
-  EXPECT_EQ(apart.leaves.objects.size(), apart.tree.references.size());
-  for (std::size_t i = 0; i < joined.leaves.size(); ++i) {
-    const auto leaf = joined.leaves[i];
-    EXPECT_LE(leaf.size(), largest);
-    EXPECT_TRUE(std::ranges::is_sorted(leaf));
-    EXPECT_EQ(std::ranges::adjacent_find(leaf), leaf.end());
+  ASSERT_GT(alone, 10u);
+  const Widened widened = *widen(tree, some.objects());
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < widened.leaves.size(); ++i) {
+    const auto leaf = widened.leaves[i];
+    if (!std::ranges::any_of(leaf, [&](auto id) { return some.list[id].is_alone; })) continue;
+    EXPECT_EQ(leaf.size(), 1u);
+    ++found;
   }
+  EXPECT_GE(found, alone);
+}
+
+TEST(WideTree, ShrinksCellsToThePartsOfObjects) {
+  Random random(12);
+  const auto boxes = random_boxes(200, 0.1f, random);
+  const Tree tree = *build_tree({boxes, {}}, {});
+  const Boxes list(boxes, true);
+  const auto part = [&](std::uint32_t object, const Aabb& cell) {
+    const Aabb box = intersection(boxes[object], cell);
+    return object % 2 == 0 ? Aabb{} : Aabb{box.lo, box.centre()};
+  };
+  const Widened widened = *widen(tree, {list.list, part});
+  EXPECT_EQ(widened.leaves.objects.size(), 100u);
+  Aabb all, parts;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) parts.grow(part(i, tree.box));
+  const WideNode& root = widened.tree.nodes[0];
+  for (int slot = 0; slot < WideNode::width && !root.box(slot).empty(); ++slot) {
+    all.grow(root.box(slot));
+  }
+  EXPECT_EQ(all, parts);
 }
 
 TEST(WideTree, OfNothingOrOneThingHasOneNode) {
@@ -236,19 +313,19 @@ TEST(WideTree, IsNotMadeOnceAStopIsRequested) {
   const Tree tree = *build_tree({boxes, {}}, {});
   std::stop_source stopper;
   stopper.request_stop();
-  EXPECT_FALSE(widen(tree, objects_in(boxes, true), stopper.get_token()));
+  EXPECT_FALSE(widen(tree, Boxes(boxes, true).objects(), stopper.get_token()));
 }
 
 TEST(WideTree, IsTheSameForAnyNumberOfThreads) {
   Random random(5);
   const std::vector<Aabb> boxes = random_boxes(20000, 0.02f, random);
   const Tree tree = *build_tree({boxes, {}}, {});
-  const std::vector<WideObject> objects = objects_in(boxes, true);
-  const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
+  const Boxes list(boxes, true);
+  const auto bytes = [](const auto& all) { return std::as_bytes(std::span(all)); };
   std::optional<Widened> first;
   for (const int threads : {1, 2, 3, 8}) {
     std::optional<Widened> widened;
-    with_threads(threads, [&] { widened = widen(tree, objects); });
+    with_threads(threads, [&] { widened = widen(tree, list.objects()); });
     ASSERT_TRUE(widened);
     if (!first) first = widened;
     EXPECT_TRUE(std::ranges::equal(bytes(first->tree.nodes), bytes(widened->tree.nodes)));

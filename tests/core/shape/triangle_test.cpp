@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/math/exact.h"
+#include "core/shape/polygon.h"
 #include "tests/support/random.h"
 
 namespace bspview {
@@ -46,6 +49,52 @@ TEST(Triangle, EdgeAreaIsAntisymmetricToTheLastBit) {
     const Vec2 q{random.between(-1, 1), random.between(-1, 1)};
     ASSERT_EQ(edge_area(p, q), -edge_area(q, p));
   }
+}
+
+Aabb box_of(const Corners& corners) {
+  Aabb box;
+  for (const Vec3& corner : corners) box.grow(corner);
+  return box;
+}
+
+Aabb random_cell(Random& random) {
+  Aabb cell;
+  cell.grow(random.point(1.0f));
+  cell.grow(random.point(1.0f));
+  return cell;
+}
+
+TEST(ClipTriangle, HoldsThePartInACellAndLittleMore) {
+  Random random(7);
+  double exact = 0.0, found = 0.0, uncut = 0.0;
+  for (int trial = 0; trial < 100000; ++trial) {
+    const float scale = std::ldexp(1.0f, random.below(200) - 100);
+    Corners corners{scale * random.point(1), scale * random.point(1), scale * random.point(1)};
+    if (trial % 4 == 0) corners[1].x = corners[0].x;  // an edge along two faces
+    if (trial % 8 == 0) corners[2].x = corners[0].x;  // all of it
+    Aabb cell = random_cell(random);
+    cell = {scale * cell.lo, scale * cell.hi};
+    if (trial % 16 == 0) cell.hi.x = std::max(cell.lo.x, corners[0].x);  // touched
+    const Aabb whole = box_of(corners), overlap = intersection(whole, cell);
+    const Aabb part = clip_polygon(corners, cell);
+    const Aabb clipped = clip_triangle(corners.data(), whole, cell);
+    if (part.empty()) continue;
+    ASSERT_TRUE(clipped.contains(part)) << "trial " << trial;
+    ASSERT_TRUE(overlap.contains(clipped)) << "trial " << trial;
+    const auto area = [&](const Aabb& box) { return half_area({box.lo / scale, box.hi / scale}); };
+    exact += area(part);
+    found += area(clipped);
+    uncut += area(overlap);
+  }
+  EXPECT_LT(found - exact, 0.3 * (uncut - exact));
+}
+
+TEST(ClipTriangle, IsEmptyWhereTheBoxOrTheTriangleIsNotInTheCell) {
+  const Corners corners{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
+  const Aabb whole = box_of(corners);
+  EXPECT_TRUE(clip_triangle(corners.data(), whole, {Vec3(5), Vec3(6)}).empty());
+  EXPECT_TRUE(clip_triangle(corners.data(), whole, {{3, 3, -1}, {4, 4, 1}}).empty());
+  EXPECT_FALSE(clip_triangle(corners.data(), whole, {{2, 2, -1}, {4, 4, 1}}).empty());
 }
 
 TEST(Triangle, BoundedReachDecidesAsExactArithmeticDoes) {
