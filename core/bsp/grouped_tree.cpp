@@ -1,7 +1,6 @@
 #include "core/bsp/grouped_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <limits>
 #include <optional>
@@ -17,20 +16,63 @@ namespace {
 /// Index of a node, or nothing where nothing is.
 using NodeIndex = std::optional<std::uint32_t>;
 
+/// Puts the references below a node behind those of `few`; false where they become too many, or
+/// may not be dealt out.
+bool gather_few(const Tree& tree, const WideObjects& objects, std::uint32_t index,
+                std::vector<std::uint32_t>& few) {
+  const Node& node = tree.nodes[index];
+  if (!node.is_leaf()) {
+    return gather_few(tree, objects, node.left(), few) &&
+           gather_few(tree, objects, node.right(), few);
+  }
+  const auto ids = tree.objects_of(node);
+  if (few.size() + ids.size() > ObjectGroups::most_objects) return false;
+  if (ids.size() == 1 && objects.list[ids[0]].is_alone) return false;
+  few.insert(few.end(), ids.begin(), ids.end());
+  return true;
+}
+
 /// Goes through a branch and adds what it finds to a tree.
 class Grouper {
  public:
   Grouper(const Tree& tree, const WideObjects& objects, const std::stop_token& stop,
           GroupedTree& grouped)
-      : tree_(tree), objects_(objects), stop_(stop), grouped_(grouped) {}
+      : tree_(tree), objects_(objects), stop_(stop), grouped_(grouped), groups_(grouped.unit) {}
 
   /// What is below a node. `cell` is as before afterwards.
   NodeIndex descend(std::uint32_t index, Aabb& cell) {
     if (stop_.stop_requested()) return {};
-    few_.clear();
-    if (gather_few(index)) return add_few(cell);
     const Node& node = tree_.nodes[index];
-    if (node.is_leaf()) return add_large_leaf(tree_.objects_of(node), cell);
+    few_.clear();
+    if (!gather_few(tree_, objects_, index, few_)) {
+      return node.is_leaf() ? add_whole_leaf(tree_.objects_of(node), cell) : divide(node, cell);
+    }
+    const NodeIndex groups = add_few(cell);
+    if (!groups || node.is_leaf() || !(steps_below(*groups) > dear)) return groups;
+    const std::size_t nodes = grouped_.nodes.size(), objects = grouped_.objects.size();
+    const NodeIndex cells = divide(node, cell);
+    if (cells && cost(*cells) < cost(*groups)) return cells;  // what is dearer stays, out of reach
+    grouped_.nodes.resize(nodes);
+    grouped_.objects.resize(objects);
+    return groups;
+  }
+
+  /// What is on both sides of a plane.
+  NodeIndex join(NodeIndex left, NodeIndex right) {
+    if (!left || !right) return left ? left : right;
+    return add_inner(*left, *right);
+  }
+
+ private:
+  /// Steps and tests of a ray that meets it: groups of objects that reach across each other may be
+  /// worse than planes through them.
+  static constexpr float dear = 12.0f;
+  float steps_below(std::uint32_t node) const {
+    return cost(node) / grouped_.area(grouped_.nodes[node].box);
+  }
+  float cost(std::uint32_t node) const { return grouped_.nodes[node].cost[0]; }
+
+  NodeIndex divide(const Node& node, Aabb& cell) {
     const int axis = node.axis();
     const float hi = std::exchange(cell.hi[axis], node.split());
     const NodeIndex left = descend(node.left(), cell);
@@ -41,30 +83,12 @@ class Grouper {
     return join(left, right);
   }
 
-  /// What is on both sides of a plane.
-  NodeIndex join(NodeIndex left, NodeIndex right) {
-    if (!left || !right) return left ? left : right;
-    return add_inner(*left, *right);
-  }
-
- private:
-  /// Puts the references below a node into few_; false where they are too many, or may not be
-  /// dealt out.
-  bool gather_few(std::uint32_t index) {
-    const Node& node = tree_.nodes[index];
-    if (!node.is_leaf()) return gather_few(node.left()) && gather_few(node.right());
-    const auto ids = tree_.objects_of(node);
-    if (few_.size() + ids.size() > ObjectGroups::most_objects) return false;
-    if (ids.size() == 1 && objects_.list[ids[0]].is_alone) return false;
-    few_.insert(few_.end(), ids.begin(), ids.end());
-    return true;
-  }
-
   NodeIndex add_few(const Aabb& cell) {
     std::ranges::sort(few_);
     few_.erase(std::ranges::unique(few_).begin(), few_.end());
     groups_.clear();
     for (const std::uint32_t id : few_) {
+      if (stop_.stop_requested()) return {};
       const Aabb box = objects_.part(id, cell);
       if (!box.empty()) groups_.add(id, box, objects_.list[id].is_eighth);
     }
@@ -85,7 +109,7 @@ class Grouper {
     return add_leaf(groups_.box(group), first);
   }
 
-  NodeIndex add_large_leaf(std::span<const std::uint32_t> ids, const Aabb& cell) {
+  NodeIndex add_whole_leaf(std::span<const std::uint32_t> ids, const Aabb& cell) {
     Aabb box;
     for (const std::uint32_t id : ids) {
       const Aabb part = intersection(objects_.list[id].box, cell);
@@ -104,14 +128,14 @@ class Grouper {
         box, 0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(ids.size()), {}};
     ObjectTests tests;
     for (const std::uint32_t id : ids) tests.add(objects_.list[id].is_eighth);
-    std::ranges::fill(leaf.cost, half_area(box) * tests.cost());
+    std::ranges::fill(leaf.cost, grouped_.area(box) * tests.cost());
     return add(leaf);
   }
   std::uint32_t add_inner(std::uint32_t left, std::uint32_t right) {
     const GroupedNode &a = grouped_.nodes[left], &b = grouped_.nodes[right];
     GroupedNode node{a.box, 1 + a.inner + b.inner, left, right, {}};
     node.box.grow(b.box);
-    node.cost[0] = half_area(node.box) + share_cells(a, b, WideNode::width).cost;
+    node.cost[0] = grouped_.area(node.box) + share_cells(a, b, WideNode::width).cost;
     for (int cells = 2; cells < WideNode::width; ++cells) {
       node.cost[cells - 1] = std::min(node.cost[cells - 2], share_cells(a, b, cells).cost);
     }
@@ -149,8 +173,10 @@ class TreeGrouper {
   }
 
   GroupedTree group() {
+    whole_.unit = area_unit(tree_.box);
     plan(0, tree_.box, 0);
     for_each_task([&](Task& task) {
+      task.grouped.unit = whole_.unit;
       task.found = Grouper(tree_, objects_, stop_, task.grouped).descend(task.root, task.cell);
     });
     make_room();
@@ -158,29 +184,34 @@ class TreeGrouper {
     if (stop_.stop_requested()) return {};
     auto next = tasks_.begin();
     Grouper top(tree_, objects_, stop_, whole_);
-    join_tasks(top, 0, 0, next);
+    join_tasks(top, 0, next);
     return std::move(whole_);
   }
 
  private:
   void plan(std::uint32_t index, const Aabb& cell, int depth) {
-    const Node& node = tree_.nodes[index];
-    if (node.is_leaf() || depth == levels_) {
+    if (is_task(index, depth)) {
       tasks_.push_back({.root = index, .cell = cell});
       return;
     }
+    const Node& node = tree_.nodes[index];
     const Cells cells = split_cell(cell, node.axis(), node.split());
     plan(node.left(), cells.left, depth + 1);
     plan(node.right(), cells.right, depth + 1);
   }
 
+  bool is_task(std::uint32_t index, int depth) {
+    if (depth == levels_ || tree_.nodes[index].is_leaf()) return true;
+    few_.clear();
+    return gather_few(tree_, objects_, index, few_);
+  }
+
   /// What the tasks found, one after the other, in the order of plan().
-  NodeIndex join_tasks(Grouper& top, std::uint32_t index, int depth,
-                       std::vector<Task>::iterator& next) {
+  NodeIndex join_tasks(Grouper& top, std::uint32_t index, std::vector<Task>::iterator& next) {
+    if (next->root == index) return (next++)->found;
     const Node& node = tree_.nodes[index];
-    if (node.is_leaf() || depth == levels_) return (next++)->found;
-    const NodeIndex left = join_tasks(top, node.left(), depth + 1, next);
-    return top.join(left, join_tasks(top, node.right(), depth + 1, next));
+    const NodeIndex left = join_tasks(top, node.left(), next);
+    return top.join(left, join_tasks(top, node.right(), next));
   }
 
   void for_each_task(const auto& work) {
@@ -218,6 +249,7 @@ class TreeGrouper {
   const WideObjects& objects_;
   const std::stop_token& stop_;
   int levels_;  // above the tasks
+  std::vector<std::uint32_t> few_;
   std::vector<Task> tasks_;
   GroupedTree whole_;
 };

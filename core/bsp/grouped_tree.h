@@ -16,7 +16,7 @@ struct GroupedNode {
   std::uint32_t first;  ///< left child; of a leaf: index of its first object
   std::uint32_t other;  ///< right child; of a leaf: number of its objects
   /// What a ray is expected to cost from here down, in steps through wide nodes and times
-  /// half_area: with at most 1, 2 ... cells of a wide node above.
+  /// GroupedTree::area: with at most 1, 2 ... cells of a wide node above.
   float cost[WideNode::width - 1];
 
   bool is_leaf() const { return inner == 0; }
@@ -32,8 +32,12 @@ struct CellShares {
 CellShares share_cells(const GroupedNode& left, const GroupedNode& right, int cells);
 
 /// The upper part of a BSP tree without its empty leaves. The objects of each of its branches that
-/// holds few are dealt out to groups (ObjectGroups).
+/// holds few are dealt out to groups (ObjectGroups), unless planes are cheaper.
 struct GroupedTree {
+  /// Half of the surface of a box, in a unit of its own (area_unit).
+  float area(const Aabb& box) const { return half_area({unit * box.lo, unit * box.hi}); }
+
+  float unit = 1.0f;
   RawVector<GroupedNode> nodes;      ///< children come before their parents; the last is the root
   RawVector<std::uint32_t> objects;  ///< ascending ids in every leaf
 };

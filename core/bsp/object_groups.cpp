@@ -16,6 +16,11 @@ std::uint64_t ordered(float x) {
 
 }  // namespace
 
+float area_unit(const Aabb& whole) {
+  const float largest = largest_component(glm::max(magnitudes(whole.lo), magnitudes(whole.hi)));
+  return std::ldexp(1.0f, -std::ilogb(std::clamp(largest, 0x1p-120f, 0x1p120f)));
+}
+
 ObjectGroups::Sides::Sides() {
   std::ranges::fill(below, -std::numeric_limits<float>::infinity());
   std::ranges::fill(above, -std::numeric_limits<float>::infinity());
@@ -39,14 +44,12 @@ float ObjectGroups::Sides::half_area() const {
 }
 
 void ObjectGroups::add(std::uint32_t id, const Aabb& box, bool is_eighth) {
-  objects_[size_++] = {{}, box, id, is_eighth};
+  objects_[size_++] = {Sides(box, unit_), box, id, is_eighth};
 }
 
 ObjectGroups::Range ObjectGroups::sort() {
   constexpr int index_bits = std::bit_width(most_objects) - 1;
   static_assert(most_objects == std::size_t{1} << index_bits);
-  const float unit = scale();
-  for (std::size_t i = 0; i < size_; ++i) objects_[i].sides = Sides(objects_[i].box, unit);
   std::array<std::uint64_t, most_objects> keys;
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < size_; ++i) {
@@ -54,7 +57,9 @@ ObjectGroups::Range ObjectGroups::sort() {
       keys[i] = ordered(sides.above[axis] - sides.below[axis]) << index_bits | i;
     }
     std::sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(size_));
-    for (std::size_t i = 0; i < size_; ++i) order_[axis][i] = static_cast<std::uint16_t>(keys[i] % most_objects);
+    for (std::size_t i = 0; i < size_; ++i) {
+      order_[axis][i] = static_cast<std::uint16_t>(keys[i] % most_objects);
+    }
   }
   return {0, size_};
 }
@@ -77,16 +82,6 @@ Aabb ObjectGroups::box(Range group) const {
   Aabb box;
   for (std::size_t i = group.first; i < group.last; ++i) box.grow(object(0, i).box);
   return box;
-}
-
-/// A power of two by which areas neither overflow nor vanish.
-float ObjectGroups::scale() const {
-  Vec3 most(0.0f);
-  for (std::size_t i = 0; i < size_; ++i) {
-    most = glm::max(most, glm::max(magnitudes(objects_[i].box.lo), magnitudes(objects_[i].box.hi)));
-  }
-  const float largest = std::clamp(largest_component(most), 0x1p-120f, 0x1p120f);
-  return std::ldexp(1.0f, -std::ilogb(largest));
 }
 
 /// Of the cost that another must be below: what the group costs as it is.

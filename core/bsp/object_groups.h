@@ -9,6 +9,10 @@
 
 namespace bspview {
 
+/// A power of two: areas of boxes within `whole` that are scaled by it do not overflow, and vanish
+/// only where the whole is beyond their reach.
+float area_unit(const Aabb& whole);
+
 /// What a ray pays for testing some objects, in tests of eight at once.
 class ObjectTests {
  public:
@@ -43,6 +47,9 @@ class ObjectGroups {
     std::size_t size() const { return last - first; }
   };
 
+  /// `unit`: see area_unit, of the tree.
+  explicit ObjectGroups(float unit) : unit_(unit) {}
+
   void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
   /// What of an object lies in the branch; at most most_objects.
@@ -68,7 +75,7 @@ class ObjectGroups {
     float below[4], above[4];
   };
   struct Object {
-    Sides sides;  ///< from sort() on: in units in which no coordinate is far above 1
+    Sides sides;  ///< times the unit
     Aabb box;
     std::uint32_t id;
     bool is_eighth;
@@ -80,14 +87,14 @@ class ObjectGroups {
   };
 
   const Object& object(int axis, std::size_t place) const { return objects_[order_[axis][place]]; }
-  float scale() const;
   Split worst_split(Range group) const;
   void find_best(int axis, Range group, Split& best);
   void partition(int axis, Range group);
 
+  const float unit_;
   std::size_t size_ = 0;
   std::array<Object, most_objects> objects_;
-  std::array<std::array<std::uint16_t, most_objects>, 3> order_;  // by axis: objects by their middle
+  std::array<std::array<std::uint16_t, most_objects>, 3> order_;  // by axis: by their middle
   std::array<float, most_objects> cost_before_;  // by place: of the objects before it in the group
   std::array<bool, most_objects> is_second_;     // by object: in the group of two
 };

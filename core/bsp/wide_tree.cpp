@@ -34,7 +34,7 @@ class NodeCells {
   void sort_by_steps() {
     const auto steps = [&](std::uint32_t cell) {
       const GroupedNode& node = tree_.nodes[cell];
-      return node.cost[0] / std::max(half_area(node.box), 0x1p-120f);
+      return node.cost[0] / std::max(tree_.area(node.box), 0x1p-120f);
     };
     std::ranges::stable_sort(std::span(nodes_).first(static_cast<std::size_t>(size_)),
                              std::greater{}, steps);

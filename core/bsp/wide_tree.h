@@ -41,8 +41,8 @@ struct alignas(64) WideNode {
 
 /// A BSP tree in nodes of sixteen cells, for rays that test them all at once: what a ray does in
 /// four or more steps of the binary tree, most of them mispredicted, is one step here. Its cells
-/// are disjoint as those of the binary tree, but for those of the groups that a leaf's objects are
-/// dealt out to: what a ray hits in one of these may be behind what it hits in the next.
+/// are disjoint as those of the binary tree, but for the groups that the objects of small branches
+/// are dealt out to: what a ray hits in one of these may be behind what it hits in the next.
 struct WideTree {
   /// Nodes of the binary tree and of groups one below the other, at most.
   static constexpr int most_levels = depth_cap + ObjectGroups::most_levels;
@@ -54,8 +54,8 @@ struct WideTree {
   std::size_t bytes() const { return nodes.size() * sizeof(WideNode); }
 };
 
-/// The objects of the leaves of a wide tree, the leaves in the order of the nodes. Each leaf is one
-/// of the binary tree, several that were joined, or a group of the objects of one.
+/// The objects of the leaves of a wide tree, the leaves in the order of the nodes. Each leaf is a
+/// large one of the binary tree, or a group of the objects of a small branch.
 struct WideLeaves {
   struct Range {
     std::uint32_t first, count;  ///< of `objects`

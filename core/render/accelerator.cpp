@@ -21,10 +21,6 @@ bool is_triangle(const Scene& scene, std::uint32_t object) {
   return scene.objects[object].kind == ObjectKind::triangle;
 }
 
-const Vec3* corners_of_triangle(const Scene& scene, std::uint32_t object) {
-  return &scene.vertices[scene.faces[scene.objects[object].shape].first_vertex];
-}
-
 WideObject wide_object(const Scene& scene, std::uint32_t id) {
   return {hit_bounds(scene, id), is_triangle(scene, id)};
 }
@@ -138,8 +134,10 @@ RawVector<WideObject> wide_objects(const Scene& scene, const std::stop_token& st
 
 /// no_index: nothing, which no ray hits.
 void set_slot(const Scene& scene, TriangleBlock& block, std::size_t slot, std::uint32_t triangle) {
-  const Vec3* const corners =
-      triangle != no_index ? corners_of_triangle(scene, triangle) : nullptr;
+  const Vec3* corners = nullptr;
+  if (triangle != no_index) {
+    corners = &scene.vertices[scene.faces[scene.objects[triangle].shape].first_vertex];
+  }
   block.object[slot] = triangle;
   for (int vertex = 0; vertex < 3; ++vertex) {
     for (int axis = 0; axis < 3; ++axis) {

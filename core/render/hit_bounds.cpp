@@ -18,14 +18,16 @@ double rounding_in(const Aabb& box) {
   return 0x1p-23 * largest_coordinate(box);
 }
 
-/// How far what counts as a hit may lie beside an object's box. Triangles are decided exactly; the
-/// tests of round shapes round; polygons are met where their vertices are off their plane, and by
-/// less than 2^-48 of the coordinates beside that.
+/// How far what counts as a hit may lie beside an object's box. Triangles are decided exactly, the
+/// tests of round shapes round. Which rays a polygon encloses is decided exactly, too; they meet it
+/// where its vertices are off its plane, at distances that double rounds: relatively where the
+/// plane is one across an axis, which alone has no thickness.
 double margin_around(const Scene& scene, std::uint32_t id, const Aabb& box) {
   const Object& object = scene.objects[id];
   if (object.kind == ObjectKind::triangle) return 0.0;
   if (object.kind != ObjectKind::polygon) return rounding_in(box);
   const PolygonPlane& plane = scene.planes[scene.faces[object.shape].plane];
+  if (plane.thickness == 0.0) return 0.0;
   const Vec3d slopes = magnitudes(plane.normal);
   return 2.0 * plane.thickness / std::max({slopes.x, slopes.y, slopes.z}) +
          0x1p-44 * largest_coordinate(box);
@@ -52,11 +54,14 @@ Aabb hit_bounds(const Scene& scene, const ObjectPart& part) {
 }
 
 Aabb hit_bounds(const Scene& scene, std::uint32_t id, const Aabb& whole, const Aabb& cell) {
+  constexpr std::size_t most_corners = 1024;  // more take long to clip, in branch after branch
   const Object& object = scene.objects[id];
+  const Aabb overlap = intersection(whole, cell);
   const bool is_triangle = object.kind == ObjectKind::triangle;
-  if (!is_triangle && object.kind != ObjectKind::polygon) return intersection(whole, cell);
+  if (overlap == whole || !(is_triangle || object.kind == ObjectKind::polygon)) return overlap;
   const std::span<const Vec3> vertices = vertices_of(scene, scene.faces[object.shape]);
   if (is_triangle) return clip_triangle(vertices.data(), whole, cell);
+  if (vertices.size() > most_corners) return overlap;
   const double margin = margin_around(scene, id, whole);
   const Aabb part = clip_polygon(vertices, grown(cell, margin));
   return part.empty() ? part : intersection(grown(part, margin), cell);

@@ -79,7 +79,7 @@ bool is_finite(const Vec3* vertices) {
 
 /// A box in double.
 struct WideBox {
-  bool empty() const { return !(lo.x <= hi.x); }
+  bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
   void grow(const Vec3d& point) {
     lo = glm::min(lo, point);
     hi = glm::max(hi, point);
@@ -125,9 +125,9 @@ Aabb clip_triangle(const Vec3* vertices, const Aabb& whole, const Aabb& cell) {
     if (overlap.lo[axis] == whole.lo[axis] && overlap.hi[axis] == whole.hi[axis]) continue;
     const WideBox between =
         box_between(corners, axis, part.lo[axis] - margin, part.hi[axis] + margin);
-    if (between.empty()) return {};
     part.lo = glm::max(part.lo, between.lo - margin);
     part.hi = glm::min(part.hi, between.hi + margin);
+    if (part.empty()) return {};
   }
   Aabb rounded;
   for (int axis = 0; axis < 3; ++axis) {

@@ -48,9 +48,8 @@ inline double hit_triangle(const RayQuery& ray, const Vec3* vertices, Sides side
   return hit_triangle_plane(ray, vertices, sides);
 }
 
-/// A box around the part of a triangle in `cell`, which it is a little larger than: around what lies
-/// between each two opposite faces of the cell. `whole`: of the vertices. Empty only where that part
-/// is.
+/// A box around the part of a triangle in `cell`, or a little larger: around what lies between each
+/// two opposite faces of the cell. `whole`: of the vertices. Empty only where that part is.
 Aabb clip_triangle(const Vec3* vertices, const Aabb& whole, const Aabb& cell);
 
 /// Weights of the second and third vertex where a ray that hits a triangle does, in double; they

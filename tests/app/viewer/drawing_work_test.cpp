@@ -50,16 +50,19 @@ TEST(PictureWork, WaitsForTheOverlayOfAFirstLookAndOfNothingElse) {
   turn->expect(true);
   std::promise<std::shared_ptr<const Picture>> look;
   std::atomic<int> published = 0;
-  const auto again = std::async(std::launch::async, [&] {
-    return work(request, {}, [&](const auto& picture) {
+  auto again = std::async(std::launch::async, [&] {
+    const auto done = work(request, {}, [&](const auto& picture) {
       if (published++ == 0) look.set_value(picture);
     });
+    if (published == 0) look.set_value(nullptr);
+    return done.ok();
   });
   const std::shared_ptr<const Picture> seen = look.get_future().get();
+  ASSERT_TRUE(seen);
   EXPECT_EQ(again.wait_for(std::chrono::milliseconds(20)), std::future_status::timeout);
   EXPECT_EQ(published, 1);
   turn->finish(seen->first_hits);
-  again.wait();
+  EXPECT_TRUE(again.get());
   EXPECT_GT(published, 1);
 }
 

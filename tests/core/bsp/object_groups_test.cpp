@@ -93,7 +93,7 @@ TEST(ObjectGroups, AreSplitWhereItIsCheapestAndOnlyIfItPays) {
   Random random(1);
   for (const float share_of_eighths : {0.0f, 0.7f, 1.0f}) {
     const auto members = random_members(100, share_of_eighths, random);
-    ObjectGroups groups;
+    ObjectGroups groups(1.0f);
     int splits = 0, whole = 0;
     all_groups(groups, fill(groups, members), [&](ObjectGroups::Range group, auto place) {
       const auto some = members_of(groups, group, members);
@@ -119,7 +119,7 @@ TEST(ObjectGroups, HoldEveryObjectOnceInTheBoxOfItsGroup) {
   Random random(2);
   for (const std::size_t count : {std::size_t{1}, std::size_t{2}, ObjectGroups::most_objects}) {
     const auto members = random_members(static_cast<int>(count), 0.9f, random);
-    ObjectGroups groups;
+    ObjectGroups groups(1.0f);
     const ObjectGroups::Range all = fill(groups, members);
     std::set<std::uint32_t> seen;
     for (const auto group : all_groups(groups, all, [](auto, auto) {})) {
@@ -136,35 +136,51 @@ TEST(ObjectGroups, HoldEveryObjectOnceInTheBoxOfItsGroup) {
 
 TEST(ObjectGroups, OfNothingOrOneThingStayWhole) {
   Random random(4);
-  ObjectGroups groups;
+  ObjectGroups groups(1.0f);
   EXPECT_FALSE(groups.split(fill(groups, {})));
   EXPECT_FALSE(groups.split(fill(groups, random_members(1, 0.0f, random))));
 }
 
 TEST(ObjectGroups, OfEightAtOnceOrOfAlikesStayWhole) {
   Random random(3);
-  ObjectGroups groups;
+  ObjectGroups groups(1.0f);
   EXPECT_FALSE(groups.split(fill(groups, random_members(8, 1.0f, random))));
   const std::vector<Member> alike(100, {{Vec3(0.0f), Vec3(1.0f)}, false});
   EXPECT_FALSE(groups.split(fill(groups, alike)));
 }
 
-TEST(ObjectGroups, OfPointsAndOfFarBoxesAreDealtOutAsOthersAre) {
-  for (const float size : {0.0f, 1e-3f, 1e15f}) {
-    const float far = size > 1.0f ? 1e18f : 1.0f;
-    std::vector<Member> members;
-    for (int i = 0; i < 200; ++i) {
-      const Vec3 corner(far * static_cast<float>(i), 0.0f, 0.0f);
-      members.push_back({{corner, corner + Vec3(size)}, true});
-    }
-    ObjectGroups groups;
-    std::size_t found = 0;
-    for (const auto group : all_groups(groups, fill(groups, members), [](auto, auto) {})) {
-      EXPECT_FALSE(groups.box(group).empty());
-      found += group.size();
-    }
-    EXPECT_EQ(found, 200u);
+std::size_t count_groups(const std::vector<Member>& members) {
+  Aabb whole;
+  for (const Member& member : members) whole.grow(member.box);
+  ObjectGroups groups(area_unit(whole));
+  return all_groups(groups, fill(groups, members), [](auto, auto) {}).size();
+}
+
+TEST(ObjectGroups, AreTheSameInAnyUnitOfLength) {
+  Random random(5);
+  const auto members = random_members(300, 0.8f, random);
+  const std::size_t count = count_groups(members);
+  EXPECT_GT(count, 10u);
+  for (const int exponent : {-100, -30, 30, 100}) {
+    std::vector<Member> scaled = members;
+    const float factor = std::ldexp(1.0f, exponent);
+    for (Member& member : scaled) member.box = {factor * member.box.lo, factor * member.box.hi};
+    EXPECT_EQ(count_groups(scaled), count);
   }
+}
+
+TEST(ObjectGroups, OfPointsHoldThemAll) {
+  std::vector<Member> points;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 point(static_cast<float>(i), 0.0f, 0.0f);
+    points.push_back({{point, point}, i % 2 == 0});
+  }
+  ObjectGroups groups(1.0f);
+  std::size_t found = 0;
+  for (const auto group : all_groups(groups, fill(groups, points), [](auto, auto) {})) {
+    found += group.size();
+  }
+  EXPECT_EQ(found, 200u);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ double cost_at_random(const GroupedTree& tree, std::uint32_t index, Random& rand
     cells[i] = split.first;
     cells.push_back(split.other);
   }
-  double cost = half_area(node.box);
+  double cost = tree.area(node.box);
   for (const std::uint32_t cell : cells) cost += cost_at_random(tree, cell, random);
   return cost;
 }
@@ -149,7 +149,7 @@ double cost_of(const Wide& wide, double root_area, bool are_eighths) {
           child & WideNode::leaf_bit
               ? cost_of_tests(wide.leaves[child & ~WideNode::leaf_bit].size(), are_eighths)
               : 1.0;
-      cost += static_cast<double>(half_area(box)) * steps;
+      cost += half_area(box) * steps;
     }
   }
   return cost;
@@ -162,7 +162,9 @@ TEST(WideTree, CostsLessThanNodesMadeAtRandom) {
     const Boxes boxes(widened.boxes, are_eighths);
     const GroupedTree grouped = group_objects(widened.tree, boxes.objects(), {});
     const GroupedNode& root = grouped.nodes.back();
-    const double cost = cost_of(widened, half_area(root.box), are_eighths);
+    const double cost =
+        double{grouped.unit} * grouped.unit *
+        cost_of(widened, half_area(root.box), are_eighths);
     EXPECT_NEAR(cost, root.cost[0], 1e-4 * cost);
     for (int i = 0; i < 100; ++i) {
       const auto last = static_cast<std::uint32_t>(grouped.nodes.size() - 1);
@@ -180,7 +182,8 @@ double steps_in(const Wide& wide, const WideNode& node, int slot, bool are_eight
   const WideNode& below = wide.wide.nodes[child];
   double steps = 1.0;
   for (int i = 0; i < WideNode::width && !below.box(i).empty(); ++i) {
-    steps += half_area(below.box(i)) / half_area(node.box(slot)) * steps_in(wide, below, i, are_eighths);
+    const float share = half_area(below.box(i)) / half_area(node.box(slot));
+    steps += share * steps_in(wide, below, i, are_eighths);
   }
   return steps;
 }
@@ -219,7 +222,7 @@ TEST(WideTree, HoldsEveryObjectOnceBelowABranchOfFewReferences) {
 TEST(WideTree, KeepsCellsAboveBranchesOfFewReferences) {
   Random random(9);
   const Wide wide(random_boxes(4000, 0.2f, random), {}, true);
-  std::size_t repeated = wide.leaves.objects.size() - 4000;
+  const std::size_t repeated = wide.leaves.objects.size() - 4000;
   EXPECT_GT(repeated, 0u);
   EXPECT_LT(repeated, wide.tree.references.size() - 4000);
 }
@@ -242,6 +245,43 @@ TEST(WideTree, HasNoMoreLevelsOfGroupsThanAStackHasRoomFor) {
   const auto root = static_cast<std::uint32_t>(grouped.nodes.size() - 1);
   EXPECT_EQ(levels_below(grouped, root), ObjectGroups::most_levels);
   EXPECT_EQ(grouped.objects.size(), boxes.size());
+}
+
+/// The part of the diagonal of a cube in a cell.
+Aabb part_of_diagonal(const Aabb& cube, const Aabb& cell) {
+  float first = 0.0f, last = 1.0f;
+  const Vec3 size = cube.extent();
+  for (int axis = 0; axis < 3; ++axis) {
+    first = std::max(first, (cell.lo[axis] - cube.lo[axis]) / size[axis]);
+    last = std::min(last, (cell.hi[axis] - cube.lo[axis]) / size[axis]);
+  }
+  if (first > last) return {};
+  return intersection({cube.lo + first * size - 1e-3f, cube.lo + last * size + 1e-3f}, cell);
+}
+
+TEST(WideTree, KeepsPlanesWhereGroupsWouldBeDearer) {
+  Random random(13);
+  std::vector<Aabb> boxes;  // of diagonals that lie side by side, each in the boxes of the others
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 corner = 0.2f * random.point(1.0f);
+    boxes.push_back({corner, corner + 1.0f});
+  }
+  const auto part = [&](std::uint32_t object, const Aabb& cell) {
+    return part_of_diagonal(boxes[object], cell);
+  };
+  const BuildParams params{.builder = Builder::median, .max_depth = 6, .clip = true};
+  const Tree tree = *build_tree({.boxes = boxes, .clip = part}, params);
+  ASSERT_GT(tree.references.size(), 200u);
+  ASSERT_LE(tree.references.size(), ObjectGroups::most_objects);
+  const Boxes list(boxes, false);
+  const auto count_objects = [&](const Tree& planes) {
+    const WideLeaves leaves = widen(planes, {list.list, part})->leaves;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < leaves.size(); ++i) count += leaves[i].size();
+    return count;
+  };
+  EXPECT_EQ(count_objects(*build_tree({boxes, {}}, {.max_depth = 0})), boxes.size());
+  EXPECT_GT(count_objects(tree), 2 * boxes.size());  // cut by planes
 }
 
 TEST(WideTree, LeavesALargeLeafAsItIs) {

@@ -76,6 +76,32 @@ TEST_P(HitsTest, BundlesFindWhatTheBinaryTreeFinds) {
   }
 }
 
+/// Rays of a bundle, and others that leave what they hit.
+std::vector<Ray> bundle_and_bounces(const Scene& scene, Vec3 centre, Random& random) {
+  std::vector<Ray> rays = bundle(2000, random);
+  for (Ray& ray : rays) ray.origin += centre;
+  const auto tree = build_scene_tree(scene, {});
+  NoObserver none;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray& ray = rays[static_cast<std::size_t>(i)];
+    const Hit hit = closest_hit({scene, *tree}, ray, {}, none);
+    if (hit) rays.push_back({ray.at(static_cast<float>(hit.t)), random.direction(), 1e-4f});
+  }
+  return rays;
+}
+
+TEST_P(HitsTest, ScenesOfManyBranchesAreWhatTheBinaryTreeFinds) {
+  Random random(7);
+  for (const Vec3 centre : {Vec3(0.0f), Vec3(500.0f, -20.0f, 3.0f)}) {
+    const Scene scene = test::random_scene(3000, 21, centre);
+    expect_answers_of_binary_tree(scene, bundle_and_bounces(scene, centre, random),
+                                  SideRule::two_sided);
+  }
+  const Scene triangles = test::random_triangles(5000, 22);
+  expect_answers_of_binary_tree(triangles, bundle_and_bounces(triangles, Vec3(0.0f), random),
+                                SideRule::two_sided);
+}
+
 /// Rays from far away that pass the border of what one of them hits by as little as floats can
 /// tell.
 std::vector<Ray> grazing_bundle(const Scene& scene, const Tree& tree, Random& random) {

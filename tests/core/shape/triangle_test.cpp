@@ -72,8 +72,14 @@ TEST(ClipTriangle, HoldsThePartInACellAndLittleMore) {
     Corners corners{scale * random.point(1), scale * random.point(1), scale * random.point(1)};
     if (trial % 4 == 0) corners[1].x = corners[0].x;  // an edge along two faces
     if (trial % 8 == 0) corners[2].x = corners[0].x;  // all of it
+    if (trial % 32 == 1) corners[2] = corners[1];
+    if (trial % 32 == 2) {  // small and far away
+      for (Vec3& corner : corners) corner = scale * Vec3(100.0f) + 1e-4f * corner;
+    }
     Aabb cell = random_cell(random);
     cell = {scale * cell.lo, scale * cell.hi};
+    if (trial % 32 == 2) cell = {corners[0], corners[0] + scale * 1e-4f};
+    if (trial % 32 == 5) cell.hi.z = cell.lo.z;
     if (trial % 16 == 0) cell.hi.x = std::max(cell.lo.x, corners[0].x);  // touched
     const Aabb whole = box_of(corners), overlap = intersection(whole, cell);
     const Aabb part = clip_polygon(corners, cell);
