@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/math/float_error.h"
+#include "core/math/largest_coordinate.h"
 #include "core/shape/outline.h"
 
 namespace bspview {
@@ -14,7 +15,7 @@ constexpr std::size_t memory_cap = std::size_t{1} << 33;
 
 /// 8 ulp of the largest coordinate: thinner cells would be rounding errors.
 double smallest_width(const Aabb& box) {
-  const double largest = largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)));
+  const double largest = largest_coordinate(box);
   return std::max(8.0 * 0x1p-23 * largest, double{std::numeric_limits<float>::denorm_min()});
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/largest_coordinate.h"
+
 namespace bspview {
 namespace {
 
@@ -17,8 +19,7 @@ std::uint64_t ordered(float x) {
 }  // namespace
 
 float area_unit(const Aabb& whole) {
-  const float largest = largest_component(glm::max(magnitudes(whole.lo), magnitudes(whole.hi)));
-  return std::ldexp(1.0f, -std::ilogb(std::clamp(largest, 0x1p-120f, 0x1p120f)));
+  return std::ldexp(1.0f, -std::ilogb(std::clamp(largest_coordinate(whole), 0x1p-120f, 0x1p120f)));
 }
 
 ObjectGroups::Sides::Sides() {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/math/largest_coordinate.h"
 #include "core/shape/outline.h"
 
 namespace bspview {
@@ -22,7 +23,7 @@ bool overlap(const Aabb& a, const Aabb& b) {
 }
 
 Aabb grown_by_8_ulp(const Aabb& cell) {
-  const Vec3 largest(largest_component(glm::max(magnitudes(cell.lo), magnitudes(cell.hi))));
+  const Vec3 largest(largest_coordinate(cell));
   return {cell.lo - 0x1p-20f * largest, cell.hi + 0x1p-20f * largest};
 }
 

@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "core/math/float_error.h"
+#include "core/math/largest_coordinate.h"
 #include "core/shape/polygon.h"
 #include "core/shape/triangle.h"
 
 namespace bspview {
 namespace {
-
-double largest_coordinate(const Aabb& box) {
-  return largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)));
-}
 
 /// By how much the tests of round shapes in a box may be off.
 double rounding_in(const Aabb& box) {

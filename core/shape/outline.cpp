@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/math/float_lanes-inl.h"
+#include "core/math/largest_coordinate.h"
 #include "core/shape/outline.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -145,7 +146,7 @@ HWY_EXPORT(divide_outline);
 HWY_EXPORT(box_of_outline);
 
 double outline_margin(const Aabb& box) {
-  return 0x1p-43 * largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)));
+  return 0x1p-43 * largest_coordinate(box);
 }
 
 OutlineSides divide(Outline part, const LaneBox& box, const OutlineCut& cut, OutlineCorner* to,

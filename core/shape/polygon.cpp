@@ -7,6 +7,7 @@
 
 #include "core/math/exact.h"
 #include "core/math/float_error.h"
+#include "core/math/largest_coordinate.h"
 #include "core/shape/heights.h"
 #include "core/shape/outline.h"
 #include "core/shape/triangle.h"
@@ -158,10 +159,6 @@ double exit_of_box(const RayQuery& ray, std::span<const Vec3> vertices) {
   return exit;
 }
 
-double largest_magnitude(const Aabb& a) {
-  return largest_component(glm::max(magnitudes(a.lo), magnitudes(a.hi)));
-}
-
 }  // namespace
 
 PolygonPlane polygon_plane(std::span<const Vec3> vertices) {
@@ -215,7 +212,7 @@ Aabb clip_polygon(std::span<const Vec3> vertices, const Aabb& whole, const Aabb&
   if (overlap.empty()) return Aabb{};
 
   // Cutting 12 times in double is off by far less than 2^-48 of the largest coordinate.
-  const double margin = 0x1p-48 * std::max(largest_magnitude(whole), largest_magnitude(cell));
+  const double margin = 0x1p-48 * std::max(largest_coordinate(whole), largest_coordinate(cell));
   if (overlap == whole) return whole;
   OutlineRooms rooms;
   const Outline part = find_outline(vertices, whole, cell, margin, rooms);

@@ -6,6 +6,7 @@
 
 #include "core/math/exact.h"
 #include "core/math/float_error.h"
+#include "core/math/largest_coordinate.h"
 
 namespace bspview {
 namespace {
@@ -117,8 +118,7 @@ Aabb clip_triangle(const Vec3* vertices, const Aabb& whole, const Aabb& cell) {
   if (overlap.empty() || overlap == whole) return overlap;
   // Points of edges are off by less than 2^-50 of the largest coordinate. Where planes cross them
   // may be off by more, but by less than what the planes are moved outwards for.
-  const Vec3 sizes = glm::max(magnitudes(whole.lo), magnitudes(whole.hi));
-  const double margin = 0x1p-48 * double{largest_component(sizes)};
+  const double margin = 0x1p-48 * double{largest_coordinate(whole)};
   const Vec3d corners[3] = {Vec3d(vertices[0]), Vec3d(vertices[1]), Vec3d(vertices[2])};
   WideBox part{Vec3d(overlap.lo), Vec3d(overlap.hi)};
   for (int axis = 0; axis < 3; ++axis) {

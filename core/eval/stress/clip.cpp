@@ -12,6 +12,7 @@
 #include "core/eval/stress/rows.h"
 #include "core/eval/stress/scenes.h"
 #include "core/math/float_error.h"
+#include "core/math/largest_coordinate.h"
 #include "core/render/scene_tree.h"
 
 namespace bspview::stress {
@@ -166,7 +167,7 @@ Complaint check_point(const Subject& subject, const Scene& scene, std::uint32_t 
   if (object_bounds(scene, id).empty() || is_degenerate(scene, id)) return std::nullopt;
   const Vec3d point = point_on(scene, id, dice);
   const Aabb box = subject.bounds(scene, id);
-  const double size = double{largest_component(glm::max(magnitudes(box.lo), magnitudes(box.hi)))};
+  const double size = double{largest_coordinate(box)};
   if (holds_point(box, point, size)) return std::nullopt;
   return fmt::format("{}: object {}: expected point {:a} {:a} {:a} inside its box, found {}",
                      scene.name, id, point.x, point.y, point.z, describe(box));
