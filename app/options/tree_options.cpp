@@ -48,7 +48,7 @@ void add_split_options(CLI::App& app, BuildParams& build) {
       ->check(finite_number(1e-6, 1e6))
       ->group(group);
   app.add_option("--empty-bonus", build.empty_bonus,
-                 "Share of the SAH cost that cutting off empty space saves")
+                 "Share of the expected tests that cutting off empty space is spared")
       ->check(finite_number(0.0, 1.0))
       ->capture_default_str()
       ->group(group);

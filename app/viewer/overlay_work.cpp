@@ -16,13 +16,12 @@ constexpr float border_alpha = 0.45f;
 
 LeafMask shown_leaves(const OverlayRequest& request) {
   const BoxView& view = *request.boxes;
-  const Tree& tree = request.tree->tree;
-  if (view.cells == BoxView::Cells::all) return filter_leaves(tree, view.filter);
+  if (view.cells == BoxView::Cells::all) return filter_leaves(request.tree->tree, view.filter);
   std::span<const std::uint32_t> surface;
   if (request.first_hits) surface = request.first_hits->leaf;
   std::span<const PathRay> rays;
   if (request.rays) rays = request.rays->rays;
-  return choose_leaves(tree, view.filter, touched_leaves(tree, surface, rays));
+  return touched_leaves(request.tree->cells, view.filter, surface, rays);
 }
 
 LineList box_lines(const OverlayRequest& request, const ScreenTransform& transform,

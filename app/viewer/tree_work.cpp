@@ -14,9 +14,9 @@ namespace bspview {
 namespace {
 
 // For what is kept of inner nodes, besides the tree. The builders that costs stop early keep 100 to
-// 500 bytes an object of the standard scenes; of more objects nothing is kept.
-constexpr std::size_t inner_bytes = std::size_t{1} << 29;
-constexpr std::size_t most_objects = inner_bytes / 512;
+// 700 bytes an object of the standard scenes; of more objects nothing is kept.
+constexpr std::size_t inner_bytes = std::size_t{1} << 30;
+constexpr std::size_t most_objects = inner_bytes / 1024;
 
 // Fewer objects are built by `sah` within about a frame (33 ms, two cores).
 constexpr std::size_t fewest_sketched = std::size_t{1} << 15;
@@ -30,15 +30,22 @@ bool is_worth_a_sketch(const ObjectCounts& counts) {
   return counts.objects >= fewest_sketched && counts.polygons <= counts.objects / 2;
 }
 
-/// The tree that all others with the same planes are parts of.
-TreeRequest without_limits(TreeRequest request) {
-  request.params.max_depth = depth_cap;
-  request.params.leaf_size = 1;
-  return request;
-}
-
 bool is_family(const TreeRequest& a, const TreeRequest& b) {
   return a.scene == b.scene && same_planes(a.params, b.params);
+}
+
+bool differ_in_costs(const TreeRequest& a, const TreeRequest& b) {
+  return !is_family(a, b) || cost_ratio(a.params) != cost_ratio(b.params);
+}
+
+/// The tree that others with the same planes are parts of: all but those with much lower costs of
+/// nodes, where the costs have moved. Without any cost it would take several times as long.
+TreeRequest without_limits(TreeRequest request, bool costs_move) {
+  constexpr float still_to_move = 0.25f;
+  request.params.max_depth = depth_cap;
+  request.params.leaf_size = 1;
+  if (costs_move) request.params.cost_traversal *= still_to_move;
+  return request;
 }
 
 /// False as soon as another tree is wanted; true when none is for a while, in which the boxes of
@@ -77,15 +84,16 @@ class TreeWork::Grower {
   }
 
   Result<Grown> grow(const TreeRequest& request, std::stop_token stop) {
-    const bool is_new = !last_ || !is_family(*last_, request);
+    const std::optional<TreeRequest> before = std::exchange(last_, request);
+    const bool is_new = !before || !is_family(*before, request);
     if (is_new) {
       whole_ = {};
       largest_fits_ = request.scene->counts.objects <= most_objects;
     }
-    last_ = request;
     if (std::optional<Grown> part = cut_from_whole(request, stop)) return *std::move(part);
     is_untidy_ = true;
-    return is_new ? grow_first(request, stop) : grow_next(request, stop);
+    if (is_new) return grow_first(request, stop);
+    return grow_next(request, differ_in_costs(*before, request), stop);
   }
 
   /// Builds free many times what they leave. Call it when nobody waits.
@@ -108,10 +116,17 @@ class TreeWork::Grower {
   }
 
  private:
-  /// Whether it differs from the last one in what makes `sah` choose other planes.
+  /// Whether `sah` has to build anew for other costs of the same scene.
   bool is_turned_at(const TreeRequest& request) const {
     return last_ && last_->scene == request.scene && last_->params.builder == Builder::sah &&
-           request.params.builder == Builder::sah && !is_family(*last_, request);
+           request.params.builder == Builder::sah && differ_in_costs(*last_, request) &&
+           !has_part(request);
+  }
+
+  /// Whether it can be cut from the whole tree.
+  bool has_part(const TreeRequest& request) const {
+    return whole_.inner && is_family(*last_, request) &&
+           is_part(request.params, whole_.tree->params, request.scene->counts.objects);
   }
 
   std::optional<Grown> cut_from_whole(const TreeRequest& request, const std::stop_token& stop) {
@@ -125,7 +140,7 @@ class TreeWork::Grower {
 
   /// The first tree of its scene or builder, which nothing should delay.
   Result<Grown> grow_first(const TreeRequest& request, std::stop_token stop) {
-    if (largest_fits_ && costs_choose_planes(request.params.builder)) {
+    if (largest_fits_ && has_costs(request.params.builder)) {
       return grow_as_asked(request, stop);
     }
     Result<Tree> tree = build_scene_tree(request.scene->scene, request.params,
@@ -136,10 +151,10 @@ class TreeWork::Grower {
 
   /// Someone moves a limit out of those of the last tree, and will go on: the largest tree of a
   /// builder that costs stop takes hardly longer than this one.
-  Result<Grown> grow_next(const TreeRequest& request, std::stop_token stop) {
-    if (largest_fits_ && costs_choose_planes(request.params.builder)) {
+  Result<Grown> grow_next(const TreeRequest& request, bool costs_move, std::stop_token stop) {
+    if (largest_fits_ && has_costs(request.params.builder)) {
       constexpr InnerLimit whole_or_nothing{inner_bytes, InnerLimit::WhenPassed::do_not_build};
-      const auto grown = grow_whole(without_limits(request), whole_or_nothing, stop);
+      const auto grown = grow_whole(without_limits(request, costs_move), whole_or_nothing, stop);
       if (stop.stop_requested()) return Error{"stopped"};
       if (std::optional<Grown> part = cut_from_whole(request, stop)) return *std::move(part);
       largest_fits_ = false;

@@ -40,9 +40,9 @@ class Bins {
 
   /// The cheapest plane between two bins of an axis.
   Split find_cheapest(int axis, std::size_t count) const {
-    Split best{.axis = axis, .cost = std::numeric_limits<double>::infinity()};
+    Split best{.axis = axis, .tests = std::numeric_limits<double>::infinity()};
     const PlaneRange range(job_, cell_, axis);
-    const SplitCost cost(job_.costs, cell_, axis);
+    const SplitTests tests(job_.costs, cell_, axis);
     Split split{.axis = axis, .right = static_cast<std::uint32_t>(count)};
     const double lo = component(cell_.lo, axis);
     const double step = (component(cell_.hi, axis) - lo) / static_cast<double>(counts_.bins);
@@ -50,8 +50,8 @@ class Bins {
       split.left += counts_.starts[bin][axis];
       split.right -= counts_.ends[bin][axis];
       split.position = static_cast<float>(lo + step * static_cast<double>(bin + 1));
-      split.cost = cost.divided(split.position, split.position, split.left, split.right);
-      if (split.cost < best.cost && range.holds(split.position)) best = split;
+      split.tests = tests.divided(split.position, split.position, split.left, split.right);
+      if (split.tests < best.tests && range.holds(split.position)) best = split;
     }
     return best;
   }
@@ -85,17 +85,17 @@ Split cheapest_of_bins(const BuildJob& job, std::span<const ObjectPart> parts, c
   count_all(parts, bins);
   std::array<Split, 3> planes;
   for (int axis = 0; axis < 3; ++axis) planes[axis] = bins.find_cheapest(axis, parts.size());
-  const double least = std::ranges::min_element(planes, {}, &Split::cost)->cost;
-  Split best{.cost = std::numeric_limits<double>::infinity()};
+  const double least = std::ranges::min_element(planes, {}, &Split::tests)->tests;
+  Split best{.tests = std::numeric_limits<double>::infinity()};
   if (!std::isfinite(least)) return best;
   for (const Split& plane : planes) {
-    if (plane.cost > worth_moving * least) continue;
+    if (plane.tests > worth_moving * least) continue;
     PlaneSurroundings around(job, cell, plane, bins.width(plane.axis));
     count_all(parts, around);
     const Split moved = around.cheapest();
-    if (moved.cost < best.cost) best = moved;
+    if (moved.tests < best.tests) best = moved;
   }
-  return with_cost_of_leaves(job, cell, best);
+  return with_tests_of_leaves(job, cell, best);
 }
 
 }  // namespace bspview

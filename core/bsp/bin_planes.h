@@ -6,8 +6,8 @@
 
 namespace bspview {
 
-/// About the cheapest plane: see bin_planes.cpp. Its cost is infinite when the cell has no room for
-/// one.
+/// About the cheapest plane: see bin_planes.cpp. Its tests are infinite when the cell has no room
+/// for one.
 Split cheapest_of_bins(const BuildJob& job, std::span<const ObjectPart> parts, const Aabb& cell);
 
 }  // namespace bspview

@@ -11,7 +11,7 @@ void BinnedParts::write_objects(std::uint32_t* to) const {
 
 std::optional<Split> BinnedParts::find_split(const Place& place) const {
   const Split best = cheapest_of_bins(*job_, parts(), place.cell);
-  return std::isfinite(best.cost) ? std::optional(best) : std::nullopt;
+  return std::isfinite(best.tests) ? std::optional(best) : std::nullopt;
 }
 
 FewParts BinnedParts::few_parts(ScratchStack& scratch) const {

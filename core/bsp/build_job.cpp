@@ -75,10 +75,10 @@ ObjectParts placeable_objects(const BuildJob& job) {
   return parts;
 }
 
-Split with_cost_of_leaves(const BuildJob& job, const Aabb& cell, Split split) {
-  if (!std::isfinite(split.cost)) return split;
-  const SplitCost cost(job.costs, cell, split.axis);
-  split.cost = cost(split.position, split.left, split.right);
+Split with_tests_of_leaves(const BuildJob& job, const Aabb& cell, Split split) {
+  if (!std::isfinite(split.tests)) return split;
+  const SplitTests tests(job.costs, cell, split.axis);
+  split.tests = tests(split.position, split.left, split.right);
   return split;
 }
 

@@ -104,17 +104,20 @@ void for_each_axis(std::size_t objects, const Body& body) {
   for (int axis = 0; axis < 3; ++axis) body(axis);
 }
 
+/// What rules say that know no costs.
+inline constexpr double every_plane_pays = -std::numeric_limits<double>::infinity();
+
 /// A plane, and how many objects touch each side of it (an object in the plane touches both).
 struct Split {
   int axis = 0;
   float position = 0.0f;
   std::uint32_t left = 0;
   std::uint32_t right = 0;
-  double cost = 0.0;  ///< expected, in the units of the job's costs; 0 where the rule knows none
+  double tests = every_plane_pays;  ///< of a ray that crosses the cell, expected; units of C_I
 };
 
-/// The same, with the cost of both sides as leaves, which says whether it pays.
-Split with_cost_of_leaves(const BuildJob& job, const Aabb& cell, Split split);
+/// The same, with the tests of both sides as leaves, which say whether it pays.
+Split with_tests_of_leaves(const BuildJob& job, const Aabb& cell, Split split);
 
 /// A split with the cell that it divides.
 struct CellSplit : Split {

@@ -25,10 +25,9 @@ CostModel cost_model(const BuildParams& params, float cost_intersection) {
           .empty_factor = 1.0 - std::min(1.0, at_least_zero(params.empty_bonus))};
 }
 
-SplitCost::SplitCost(const CostModel& model, const Aabb& cell, int axis)
+SplitTests::SplitTests(const CostModel& model, const Aabb& cell, int axis)
     : lo(cell.lo[axis]),
       hi(cell.hi[axis]),
-      traversal(model.traversal),
       empty_factor(model.empty_factor),
       counts_all(model.counts_all) {
   const Vec3d d = extent_in_double(cell);
@@ -36,8 +35,8 @@ SplitCost::SplitCost(const CostModel& model, const Aabb& cell, int axis)
   const double v = d[(axis + 2) % 3];
   const double area = half_area_in_double(d);
   // A cell without area is a line: its parts are crossed in the ratio of their lengths.
-  caps = area > 0.0 ? model.intersection * u * v / area : 0.0;
-  rim = model.intersection * (area > 0.0 ? (u + v) / area : 1.0 / d[axis]);
+  caps = area > 0.0 ? u * v / area : 0.0;
+  rim = area > 0.0 ? (u + v) / area : 1.0 / d[axis];
 }
 
 double crossing_probability(const Aabb& part, const Aabb& cell) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 
 #include "core/bsp/tree.h"
 
@@ -13,18 +14,24 @@ namespace bspview {
 struct CostModel {
   double traversal = 0.0;
   double intersection = 0.0;
-  double empty_factor = 1.0;  ///< of the cost of a split with one empty side
-  bool counts_all = false;    ///< sides that are divided further cost what leaves would
+  double empty_factor = 1.0;  ///< of the tests behind a plane with one empty side
+  bool counts_all = false;    ///< sides that are divided further are tested as leaves would
 
   double leaf(std::size_t objects) const { return intersection * static_cast<double>(objects); }
+
+  /// What a plane has to save to pay: `traversal` in tests.
+  double least_saving() const {
+    if (intersection > 0.0) return traversal / intersection;
+    return traversal > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+  }
 };
 
 /// With `cost_intersection` where the parameters have none. Nonsense (negative or not a number)
 /// counts as 0.
 CostModel cost_model(const BuildParams& params, float cost_intersection);
 
-/// What `objects` that a plane leaves on one side are expected to cost, in tests of one. A leaf of
-/// many would cost as many, but they are divided further: to count them all makes planes that put a
+/// What `objects` that a plane leaves on one side are expected to cost, in tests. A leaf of many
+/// would cost as many, but they are divided further: to count them all makes planes that put a
 /// few objects into large cells, only to cut a little off what holds the most. That many objects
 /// cost their number to the power of 0.7 makes trees of the least expected cost on the standard
 /// scenes (0.6 to 0.9 were tried; between powers of two it is a line).
@@ -48,32 +55,32 @@ inline double tests_below(std::uint32_t objects) {
   return line.at_0 + line.slope * objects;
 }
 
-/// Cost of splitting one cell on one axis, when both children become leaves.
+/// Objects that a ray that crosses a cell is expected to test where a plane across one axis divides
+/// it and both sides become leaves. Costs do not matter: the same plane is the best for all.
 /// After MacDonald & Booth 1990, "Heuristics for ray tracing using space subdivision".
-struct SplitCost {
-  SplitCost(const CostModel& model, const Aabb& cell, int axis);
+struct SplitTests {
+  SplitTests(const CostModel& model, const Aabb& cell, int axis);
 
   /// `left` and `right` objects touch the two sides of the plane at `position`.
   double operator()(double position, std::uint32_t left, std::uint32_t right) const {
-    return of_tests(position, position, left, right);
+    return expected(position, position, left, right);
   }
 
-  /// The same when they are divided further. No plane from `first` to `last` costs less, rounding
+  /// The same when they are divided further. No plane from `first` to `last` takes fewer, rounding
   /// included, if at least `left` and `right` objects touch the sides of all of them.
   double divided(double first, double last, std::uint32_t left, std::uint32_t right) const {
-    if (counts_all) return of_tests(first, last, left, right);
-    return of_tests(first, last, tests_below(left), tests_below(right));
+    if (counts_all) return expected(first, last, left, right);
+    return expected(first, last, tests_below(left), tests_below(right));
   }
 
-  double of_tests(double first, double last, double left, double right) const {
+  double expected(double first, double last, double left, double right) const {
     const double tests = left * (caps + rim * (first - lo)) + right * (caps + rim * (hi - last));
-    const double cost = traversal + tests;
-    return left == 0.0 || right == 0.0 ? cost * empty_factor : cost;
+    return left == 0.0 || right == 0.0 ? tests * empty_factor : tests;
   }
 
   double lo, hi;     ///< of the cell
   double caps, rim;  ///< of the two faces parallel to the plane; of the others, a unit of length
-  double traversal, empty_factor;
+  double empty_factor;
   bool counts_all;
 };
 

@@ -15,11 +15,9 @@ int least_leaf_size(const BuildParams& params) {
   return std::max(1, params.leaf_size);
 }
 
-bool same_costs(const BuildParams& first, const BuildParams& second) {
-  if (first.cost_intersection.has_value() != second.cost_intersection.has_value()) return false;
-  const CostModel a = cost_model(first, 0.0f), b = cost_model(second, 0.0f);
-  return a.traversal == b.traversal && a.intersection == b.intersection &&
-         a.empty_factor == b.empty_factor;
+bool same_weights(const BuildParams& a, const BuildParams& b) {
+  return a.cost_intersection.has_value() == b.cost_intersection.has_value() &&
+         cost_model(a, 0.0f).empty_factor == cost_model(b, 0.0f).empty_factor;
 }
 
 /// Whether some leaf lies at the maximal depth: a deeper tree might have more nodes. False soon
@@ -52,13 +50,18 @@ bool is_within(const Tree& whole, const BuildParams& params, const std::stop_tok
 class Regrowth {
  public:
   Regrowth(const MaximalTree& whole, Tree& tree, const std::stop_token& stop)
-      : whole_(*whole.tree), inner_(whole.inner->lists), tree_(tree), stop_(stop) {}
+      : whole_(*whole.tree),
+        inner_(whole.inner->lists),
+        tree_(tree),
+        least_saving_(cost_model(tree.params, tree.cost_intersection).least_saving()),
+        stop_(stop) {}
 
   void grow_root() {
-    tree_.nodes.reserve(whole_.nodes.size());
-    tree_.references.reserve(whole_.references.size());
-    tree_.nodes.push_back(Node::make_leaf(0, 0));
+    tree_.nodes.resize(whole_.nodes.size());
+    tree_.references.resize(whole_.references.size());
     grow(0, 0, 0);
+    tree_.nodes.resize(node_count_);
+    tree_.references.resize(reference_count_);
   }
 
  private:
@@ -67,26 +70,35 @@ class Regrowth {
     if (stop_.stop_requested()) return;
     const Node& node = whole_.nodes[from];
     if (node.is_leaf()) return make_leaf(to, whole_.objects_of(node));
-    const std::span<const std::uint32_t> objects = inner_[(node.left() - 1) / 2];
+    const std::size_t pair = (node.left() - 1) / 2;
+    const std::span<const std::uint32_t> objects = inner_[pair];
     const auto leaf_size = static_cast<std::size_t>(least_leaf_size(tree_.params));
-    if (objects.size() <= leaf_size || depth >= tree_.max_depth) return make_leaf(to, objects);
-    const auto left = static_cast<std::uint32_t>(tree_.nodes.size());
+    if (objects.size() <= leaf_size || depth >= tree_.max_depth ||
+        inner_.saving(pair) < least_saving_) {
+      return make_leaf(to, objects);
+    }
+    const std::uint32_t left = std::exchange(node_count_, node_count_ + 2);
     tree_.nodes[to] = Node::make_inner(node.axis(), node.split(), left);
-    tree_.nodes.resize(left + 2, Node::make_leaf(0, 0));
     grow(node.left(), left, depth + 1);
     grow(node.right(), left + 1, depth + 1);
   }
 
   void make_leaf(std::uint32_t to, std::span<const std::uint32_t> objects) {
-    const auto first = static_cast<std::uint32_t>(tree_.references.size());
-    tree_.references.insert(tree_.references.end(), objects.begin(), objects.end());
-    tree_.nodes[to] = Node::make_leaf(first, static_cast<std::uint32_t>(objects.size()));
+    const auto count = static_cast<std::uint32_t>(objects.size());
+    const std::uint32_t first = std::exchange(reference_count_, reference_count_ + count);
+    References& references = tree_.references;
+    // Clipping may lose objects between a node and its leaves.
+    if (reference_count_ > references.size()) references.resize(2 * std::size_t{reference_count_});
+    for (std::uint32_t i = 0; i < count; ++i) references[first + i] = objects[i];
+    tree_.nodes[to] = Node::make_leaf(first, count);
   }
 
   const Tree& whole_;
   const InnerLists& inner_;
   Tree& tree_;
+  const double least_saving_;
   const std::stop_token& stop_;
+  std::uint32_t node_count_ = 1, reference_count_ = 0;  // written so far
 };
 
 std::optional<Tree> regrow(const MaximalTree& whole, const BuildParams& params,
@@ -125,19 +137,24 @@ Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParam
   }
 }
 
-bool costs_choose_planes(Builder builder) {
+bool has_costs(Builder builder) {
   return builder != Builder::naive && builder != Builder::median &&
          builder != Builder::median_longest && builder != Builder::object_median;
 }
 
+double cost_ratio(const BuildParams& params, float measured) {
+  return has_costs(params.builder) ? cost_model(params, measured).least_saving() : 0.0;
+}
+
 bool same_planes(const BuildParams& a, const BuildParams& b) {
   return a.builder == b.builder && effective_clip(a) == effective_clip(b) &&
-         (!costs_choose_planes(a.builder) || same_costs(a, b));
+         (!has_costs(a.builder) || same_weights(a, b));
 }
 
 bool is_part(const BuildParams& part, const BuildParams& whole, std::size_t objects) {
   return same_planes(part, whole) && least_leaf_size(part) >= least_leaf_size(whole) &&
-         effective_depth(part, objects) <= effective_depth(whole, objects);
+         effective_depth(part, objects) <= effective_depth(whole, objects) &&
+         cost_ratio(part) >= cost_ratio(whole);
 }
 
 std::optional<Tree> cut(const MaximalTree& whole, const BuildParams& params,

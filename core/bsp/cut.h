@@ -10,10 +10,10 @@
 namespace bspview {
 
 /// A tree that others can be cut from. Every builder is greedy: it picks the plane of a node from
-/// the node alone, and maximal depth and leaf size only stop it. So what it builds within tighter
-/// limits is the same tree with some inner nodes made leaves. The costs are no such limits for the
-/// builders that have any: the share of the empty-space bonus that falls on C_T, and rounding where
-/// two planes cost nearly the same, let them choose the plane.
+/// the node alone, and maximal depth, leaf size and the ratio of C_T to C_I only stop it: the plane
+/// with the fewest expected tests is the same for all. So what it builds within tighter limits is
+/// the same tree with some inner nodes made leaves. What chooses planes are the empty-space bonus
+/// and whether C_I is one for all objects or that of each.
 struct MaximalTree {
   std::shared_ptr<Tree> tree;
   std::unique_ptr<const InnerObjects> inner;  ///< null: not kept; nothing can be cut from the tree
@@ -25,8 +25,11 @@ struct MaximalTree {
 Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParams& params,
                                        InnerLimit limit, const Watch& watch = {});
 
-/// Whether the builder's costs choose its planes; otherwise they change nothing.
-bool costs_choose_planes(Builder builder);
+/// Whether costs stop the builder; otherwise they change nothing.
+bool has_costs(Builder builder);
+
+/// C_T / C_I of such a builder, where the objects have the C_I `measured`; others have 0.
+double cost_ratio(const BuildParams& params, float measured = 1.0f);
 
 /// Whether build_tree would choose the same planes for both, as far as the limits let it.
 bool same_planes(const BuildParams& a, const BuildParams& b);

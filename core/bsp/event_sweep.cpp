@@ -25,12 +25,12 @@ struct Stretch {
 class AxisSweep {
  public:
   AxisSweep(const BuildJob& job, const Aabb& cell, int axis)
-      : job_(job), cost_(job.costs, cell, axis), range_(job, cell, axis) {
+      : job_(job), tests_(job.costs, cell, axis), range_(job, cell, axis) {
     best_.axis = axis;
-    best_.cost = infinity;
+    best_.tests = infinity;
   }
 
-  /// Cuts the events into stretches; the result is the least cost of the planes between them.
+  /// Cuts the events into stretches; the result is the least of the planes between them.
   double prepare(const EventList& list) {
     if (range_.empty()) return infinity;
     const std::span<const Event> events = list.events(best_.axis);
@@ -41,12 +41,12 @@ class AxisSweep {
     return cut_up(events.subspan(inside, behind - inside));
   }
 
-  /// The cheapest plane, if it costs at most `least`.
+  /// The cheapest plane, if it takes at most `least` tests.
   Split find_cheapest(double least) {
     if (range_.empty()) return best_;
     try_plane(range_.first(), first_);
     for (const Stretch& stretch : std::span(stretches_).first(stretch_count_)) {
-      if (!(least_cost(stretch) > std::min(least, best_.cost))) sweep(stretch);
+      if (!(least_tests(stretch) > std::min(least, best_.tests))) sweep(stretch);
     }
     try_plane(range_.last(), last_);
     return best_;
@@ -72,16 +72,16 @@ class AxisSweep {
       const auto some = events.subspan(first, std::min(length, events.size() - first));
       const Event event = some.front();
       const double here = event.position();
-      least = std::min(least, cost_.divided(here, here, last_.left, last_.right - event.is_end()));
+      least = std::min(least, tests_.divided(here, here, last_.left, last_.right - event.is_end()));
       stretches_[stretch_count_++] = {some, last_, pass(last_, some)};
       last_ = stretches_[stretch_count_ - 1].behind;
     }
     return least;
   }
 
-  double least_cost(const Stretch& stretch) const {
-    return cost_.divided(stretch.events.front().position(), stretch.events.back().position(),
-                         stretch.before.left, stretch.behind.right);
+  double least_tests(const Stretch& stretch) const {
+    return tests_.divided(stretch.events.front().position(), stretch.events.back().position(),
+                          stretch.before.left, stretch.behind.right);
   }
 
   void sweep(const Stretch& stretch) {
@@ -95,12 +95,12 @@ class AxisSweep {
   }
 
   void try_plane(float position, Sides sides) {
-    const double cost = cost_.divided(position, position, sides.left, sides.right);
-    if (cost < best_.cost) best_ = {best_.axis, position, sides.left, sides.right, cost};
+    const double tests = tests_.divided(position, position, sides.left, sides.right);
+    if (tests < best_.tests) best_ = {best_.axis, position, sides.left, sides.right, tests};
   }
 
   const BuildJob& job_;
-  const SplitCost cost_;
+  const SplitTests tests_;
   const PlaneRange range_;
   Split best_;
   Sides first_{}, last_{};  // of the first and the last plane in range
@@ -119,7 +119,7 @@ Split cheapest_of_events(const BuildJob& job, const EventList& list, const Aabb&
   std::array<Split, 3> splits;
   for_each_axis(list.count(),
                 [&](int axis) { splits[axis] = sweeps[axis].find_cheapest(least_of_all); });
-  return with_cost_of_leaves(job, cell, *std::ranges::min_element(splits, {}, &Split::cost));
+  return with_tests_of_leaves(job, cell, *std::ranges::min_element(splits, {}, &Split::tests));
 }
 
 }  // namespace bspview

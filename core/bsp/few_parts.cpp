@@ -27,13 +27,13 @@ double FewParts::tests() const {
 
 std::optional<Split> FewParts::find_split(const Place& place) const {
   const Split split = cheapest_of_few(*job_, std::span(boxes_).first(count_), place.cell);
-  if (!std::isfinite(split.cost)) return {};
+  if (!std::isfinite(split.tests)) return {};
   std::uint32_t left = 0, right = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     left += boxes_[i].lo[split.axis] <= split.position;
     right += boxes_[i].hi[split.axis] >= split.position;
   }
-  return Split{split.axis, split.position, left, right, split.cost};
+  return Split{split.axis, split.position, left, right, split.tests};
 }
 
 /// Adds the two sides of a part; its outlines go on the pile of this.

@@ -23,8 +23,8 @@ constexpr Floats floats;
 constexpr Ints ints;
 constexpr hn::Rebind<float, Doubles> narrow;
 
-/// Of the planes across each axis.
-struct alignas(32) AxisCosts {
+/// As of SplitTests and PlaneRange.
+struct alignas(32) Axes {
   double lo[axis_lanes], hi[axis_lanes], caps[axis_lanes], rim[axis_lanes];
   float first[axis_lanes], last[axis_lanes];  // one behind the other
 };
@@ -35,7 +35,7 @@ struct alignas(32) Planes {
 
   float position[most];
   float left[most], right[most];
-  double cost[most];
+  double tests[most];
 };
 
 /// One number an axis, and `rest`, in the lanes from `lane` on. Through memory it would take
@@ -48,35 +48,34 @@ HWY_INLINE DoubleV by_axis(const Vec3d& numbers, std::size_t lane, double rest =
   return hn::IfThenElse(is(0.0), hn::Set(doubles, numbers.x), y);
 }
 
-/// As SplitCost and PlaneRange; the fourth lane has no room for planes.
-HWY_INLINE void find_axis_costs(const BuildJob& job, const Aabb& cell, AxisCosts& costs) {
+/// The fourth lane has no room for planes.
+HWY_INLINE void find_axes(const BuildJob& job, const Aabb& cell, Axes& axes) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const Vec3d from(cell.lo), to(cell.hi), d = to - from;
   const double area = d.x * d.y + d.y * d.z + d.z * d.x;
-  const DoubleV intersection = hn::Set(doubles, job.costs.intersection);
   const DoubleV areas = hn::Set(doubles, area), width = hn::Set(doubles, job.min_width);
   for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
     const DoubleV lo = by_axis(from, lane, infinity), hi = by_axis(to, lane, -infinity);
     const DoubleV u = by_axis({d.y, d.z, d.x}, lane), v = by_axis({d.z, d.x, d.y}, lane);
-    hn::Store(lo, doubles, costs.lo + lane);
-    hn::Store(hi, doubles, costs.hi + lane);
-    hn::Store(hn::Div(hn::Mul(hn::Mul(intersection, u), v), areas), doubles, costs.caps + lane);
-    hn::Store(hn::Mul(intersection, hn::Div(hn::Add(u, v), areas)), doubles, costs.rim + lane);
-    hn::Store(round_to_float<1>(doubles, hn::Add(lo, width)), narrow, costs.first + lane);
-    hn::Store(round_to_float<-1>(doubles, hn::Sub(hi, width)), narrow, costs.last + lane);
+    hn::Store(lo, doubles, axes.lo + lane);
+    hn::Store(hi, doubles, axes.hi + lane);
+    hn::Store(hn::Div(hn::Mul(u, v), areas), doubles, axes.caps + lane);
+    hn::Store(hn::Div(hn::Add(u, v), areas), doubles, axes.rim + lane);
+    hn::Store(round_to_float<1>(doubles, hn::Add(lo, width)), narrow, axes.first + lane);
+    hn::Store(round_to_float<-1>(doubles, hn::Sub(hi, width)), narrow, axes.last + lane);
   }
   if (area > 0.0) return;
   for (int axis = 0; axis < 3; ++axis) {
-    const SplitCost cost(job.costs, cell, axis);
-    costs.caps[axis] = cost.caps;
-    costs.rim[axis] = cost.rim;
+    const SplitTests tests(job.costs, cell, axis);
+    axes.caps[axis] = tests.caps;
+    axes.rim[axis] = tests.rim;
   }
 }
 
 /// The last ones are the first and the last plane for which there is room. False where every box
 /// reaches across all planes.
 template <std::size_t extent>
-HWY_INLINE bool place_planes(std::span<const FewBox, extent> boxes, const AxisCosts& costs,
+HWY_INLINE bool place_planes(std::span<const FewBox, extent> boxes, const Axes& axes,
                              float* positions) {
   alignas(32) static constexpr std::int32_t outwards[2 * axis_lanes] = {-1, -1, -1, -1, 1, 1, 1, 1};
   alignas(32) static constexpr float signs[2 * axis_lanes] = {0,     0,     0,     0,
@@ -91,7 +90,7 @@ HWY_INLINE bool place_planes(std::span<const FewBox, extent> boxes, const AxisCo
       innermost = hn::Max(innermost, hn::Xor(plane, sign));
       hn::Store(plane, floats, positions + 2 * axis_lanes * i + lane);
     }
-    const FloatV limit = hn::Load(floats, costs.first + lane);
+    const FloatV limit = hn::Load(floats, axes.first + lane);
     all_cross &= hn::AllTrue(floats, hn::Lt(innermost, hn::Xor(limit, sign)));
     hn::Store(limit, floats, positions + 2 * axis_lanes * boxes.size() + lane);
   }
@@ -117,24 +116,22 @@ HWY_INLINE void add_up_sides(std::span<const FewBox, extent> boxes, Planes& plan
   }
 }
 
-/// Of the planes across each axis: the least cost, and the lowest plane of that cost.
+/// Of the planes across each axis: the fewest expected tests, and the lowest plane of as many.
 struct alignas(32) AxisBests {
-  double cost[axis_lanes], position[axis_lanes];
+  double tests[axis_lanes], position[axis_lanes];
 };
 
-/// Of the planes of the axes from `lane` on. Costs are those of SplitCost, infinite where there is
-/// no room.
-HWY_INLINE void find_bests(const CostModel& model, const AxisCosts& costs, Planes& planes,
-                           std::size_t count, std::size_t lane, AxisBests& bests) {
+/// Of the planes of the axes from `lane` on; where there is no room, they are infinitely many.
+HWY_INLINE void find_bests(double empty_factor, const Axes& axes, Planes& planes, std::size_t count,
+                           std::size_t lane, AxisBests& bests) {
   const auto load = [&](const double* each) { return hn::Load(doubles, each + lane); };
   const auto load_wide = [&](const float* each) {
     return hn::PromoteTo(doubles, hn::Load(narrow, each + lane));
   };
-  const DoubleV lo = load(costs.lo), hi = load(costs.hi);
-  const DoubleV caps = load(costs.caps), rim = load(costs.rim);
-  const DoubleV first = load_wide(costs.first), last = load_wide(costs.last);
-  const DoubleV traversal = hn::Set(doubles, model.traversal);
-  const DoubleV empty_factor = hn::Set(doubles, model.empty_factor);
+  const DoubleV lo = load(axes.lo), hi = load(axes.hi);
+  const DoubleV caps = load(axes.caps), rim = load(axes.rim);
+  const DoubleV first = load_wide(axes.first), last = load_wide(axes.last);
+  const DoubleV factor = hn::Set(doubles, empty_factor);
   const DoubleV infinity = hn::Set(doubles, std::numeric_limits<double>::infinity());
   DoubleV least = infinity;
   for (std::size_t plane = 0; plane < count; plane += axis_lanes) {
@@ -143,52 +140,52 @@ HWY_INLINE void find_bests(const CostModel& model, const AxisCosts& costs, Plane
     const DoubleV before = hn::Add(caps, hn::Mul(rim, hn::Sub(position, lo)));
     const DoubleV behind = hn::Add(caps, hn::Mul(rim, hn::Sub(hi, position)));
     const DoubleV tests = hn::Add(hn::Mul(left, before), hn::Mul(right, behind));
-    const DoubleV full = hn::Add(traversal, tests);
     const auto empty = hn::Eq(hn::Min(left, right), hn::Zero(doubles));
-    const DoubleV cost = hn::IfThenElse(empty, hn::Mul(full, empty_factor), full);
+    const DoubleV expected = hn::IfThenElse(empty, hn::Mul(tests, factor), tests);
     const auto has_room = hn::And(hn::Le(first, position), hn::Le(position, last));
-    const DoubleV allowed = hn::IfThenElse(has_room, cost, infinity);
-    hn::Store(allowed, doubles, planes.cost + plane + lane);
+    const DoubleV allowed = hn::IfThenElse(has_room, expected, infinity);
+    hn::Store(allowed, doubles, planes.tests + plane + lane);
     least = hn::Min(allowed, least);
   }
   // Among equals: once more, since each step that looked at both would wait for the one before.
   DoubleV lowest = infinity;
   for (std::size_t plane = 0; plane < count; plane += axis_lanes) {
-    const auto is_least = hn::Eq(hn::Load(doubles, planes.cost + plane + lane), least);
+    const auto is_least = hn::Eq(hn::Load(doubles, planes.tests + plane + lane), least);
     const DoubleV position = load_wide(planes.position + plane);
     lowest = hn::Min(hn::IfThenElse(is_least, position, infinity), lowest);
   }
-  hn::Store(least, doubles, bests.cost + lane);
+  hn::Store(least, doubles, bests.tests + lane);
   hn::Store(lowest, doubles, bests.position + lane);
 }
 
-/// Whether a plane that all boxes reach across costs more than a leaf, whatever is rounded.
+/// Whether a plane that all boxes reach across saves too little, whatever is rounded.
 template <std::size_t extent>
 HWY_INLINE bool cannot_pay(const CostModel& costs, std::span<const FewBox, extent> boxes) {
   double tests = 0.0;
   for (const FewBox& box : boxes) tests += box.tests();
-  return costs.traversal * costs.empty_factor > 1e-5 * costs.intersection * tests;
+  return costs.traversal > 1e-5 * costs.intersection * tests;
 }
 
 template <std::size_t extent>
 HWY_INLINE Split find_cheapest(const BuildJob& job, std::span<const FewBox, extent> boxes,
                                const Aabb& cell) {
-  AxisCosts costs;
-  find_axis_costs(job, cell, costs);
+  Axes axes;
+  find_axes(job, cell, axes);
   Planes planes;
-  if (!place_planes(boxes, costs, planes.position) && cannot_pay(job.costs, boxes)) {
-    return {.cost = std::numeric_limits<double>::infinity()};
+  if (!place_planes(boxes, axes, planes.position) && cannot_pay(job.costs, boxes)) {
+    return {.tests = std::numeric_limits<double>::infinity()};
   }
   const std::size_t count = (2 * boxes.size() + 2) * axis_lanes;
   add_up_sides(boxes, planes, count);
   AxisBests bests;
   for (std::size_t lane = 0; lane < axis_lanes; lane += hn::Lanes(doubles)) {
-    find_bests(job.costs, costs, planes, count, lane, bests);
+    find_bests(job.costs.empty_factor, axes, planes, count, lane, bests);
   }
-  int axis = bests.cost[1] < bests.cost[0] ? 1 : 0;
-  axis = bests.cost[2] < bests.cost[axis] ? 2 : axis;
-  return {
-      .axis = axis, .position = static_cast<float>(bests.position[axis]), .cost = bests.cost[axis]};
+  int axis = bests.tests[1] < bests.tests[0] ? 1 : 0;
+  axis = bests.tests[2] < bests.tests[axis] ? 2 : axis;
+  return {.axis = axis,
+          .position = static_cast<float>(bests.position[axis]),
+          .tests = bests.tests[axis]};
 }
 
 /// Most nodes hold so few boxes that loops of a fixed length pay.

@@ -19,7 +19,7 @@ inline FewBox few_box(const Aabb& box, float tests) {
 }
 
 /// The plane that the sweep over the events of at most most_few_parts boxes finds: the cheapest of
-/// all, among equals that on the lowest axis, then the lowest. Its cost is infinite when the cell
+/// all, among equals that on the lowest axis, then the lowest. Its tests are infinite when the cell
 /// has no room for one, and where all boxes reach across the cell, so that none pays.
 Split cheapest_of_few(const BuildJob& job, std::span<const FewBox> boxes, const Aabb& cell);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -84,25 +85,28 @@ class InnerStore {
 };
 
 /// What the inner nodes of a tree hold, kept while it is built: any of them can then be made a
-/// leaf. The lists come in the order of the nodes, each behind its length.
+/// leaf. The lists come in the order of the nodes, each behind its length and what its plane saves.
 class InnerLists {
  public:
   std::size_t size() const { return lists_.size(); }
 
   /// Object ids of the node with the i-th pair of children.
   std::span<const std::uint32_t> operator[](std::size_t i) const {
-    return {lists_[i] + 1, *lists_[i]};
+    return {lists_[i] + head, *lists_[i]};
   }
+  /// Expected tests of a leaf in its place, less those of its children.
+  float saving(std::size_t i) const { return std::bit_cast<float>(lists_[i][1]); }
 
   template <class Objects>
-  void keep(const Objects& objects, InnerMeter& meter, InnerStore& store) {
+  void keep(const Objects& objects, float saving, InnerMeter& meter, InnerStore& store) {
     const std::size_t count = objects.count();
-    if (!meter.complete() || !make_room(count + 1, meter, store)) return;
+    if (!meter.complete() || !make_room(head + count, meter, store)) return;
     lists_.push_back(page_);
-    *page_ = static_cast<std::uint32_t>(count);
-    objects.write_objects(page_ + 1);
-    page_ += count + 1;
-    room_ -= count + 1;
+    page_[0] = static_cast<std::uint32_t>(count);
+    page_[1] = std::bit_cast<std::uint32_t>(saving);
+    objects.write_objects(page_ + head);
+    page_ += head + count;
+    room_ -= head + count;
   }
 
   /// Puts the lists of `part`, which becomes empty, behind these.
@@ -113,6 +117,8 @@ class InnerLists {
   }
 
  private:
+  static constexpr std::size_t head = 2;
+
   bool make_room(std::size_t count, InnerMeter& meter, InnerStore& store) {
     constexpr std::size_t least = std::size_t{1} << 10, most = std::size_t{1} << 14;
     if (room_ >= count) return true;

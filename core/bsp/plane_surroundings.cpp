@@ -53,19 +53,19 @@ class PlaneSurroundings::Best {
  public:
   Best(const BuildJob& job, const Aabb& cell, int axis)
       : range_(job, cell, axis),
-        cost_(job.costs, cell, axis),
-        split_{.axis = axis, .cost = std::numeric_limits<double>::infinity()} {}
+        tests_(job.costs, cell, axis),
+        split_{.axis = axis, .tests = std::numeric_limits<double>::infinity()} {}
 
   void try_plane(float position, std::uint32_t left, std::uint32_t right) {
-    const double cost = cost_.divided(position, position, left, right);
-    if (!range_.holds(position) || !(cost < split_.cost)) return;
-    split_ = {split_.axis, position, left, right, cost};
+    const double tests = tests_.divided(position, position, left, right);
+    if (!range_.holds(position) || !(tests < split_.tests)) return;
+    split_ = {split_.axis, position, left, right, tests};
   }
   const Split& split() const { return split_; }
 
  private:
   PlaneRange range_;
-  SplitCost cost_;
+  SplitTests tests_;
   Split split_;
 };
 

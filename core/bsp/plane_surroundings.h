@@ -43,8 +43,8 @@ class PlaneSurroundings {
   void count(std::span<const ObjectPart> parts);
   void add(const PlaneSurroundings& other);
 
-  /// The plane, or one beside a side of a box where that is cheaper. Its cost is infinite when the
-  /// cell has no room for any of them.
+  /// The plane, or one beside a side of a box where that is cheaper. Its tests are infinite when
+  /// the cell has no room for any of them.
   Split cheapest();
 
  private:

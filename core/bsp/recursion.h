@@ -69,11 +69,12 @@ class Recursion {
     const std::optional<Split> wanted = wanted_split(objects, place);
     // To go on after a split that does not pay, in the hope of better ones below, measures worse:
     // it more than doubles the tree, and even where that is taken back it saves 1 % of the cost.
-    if (!wanted || wanted->cost > leaf_cost(objects)) {
+    const float saving = wanted ? static_cast<float>(leaf_tests(objects) - wanted->tests) : 0.0f;
+    if (!wanted || saving < job_.costs.least_saving()) {
       make_leaf(objects, slot);
       return job_.tell(place.work);
     }
-    if (job_.inner) slot.branch.inner.keep(objects, job_.inner->meter, job_.inner->store);
+    if (job_.inner) slot.branch.inner.keep(objects, saving, job_.inner->meter, job_.inner->store);
 
     const CellSplit split(*wanted, place.cell);
     Objects other = objects.split(split, slot.branch.scratch);
@@ -92,11 +93,11 @@ class Recursion {
     return objects.find_split(place);
   }
 
-  double leaf_cost(const Objects& objects) const {
+  double leaf_tests(const Objects& objects) const {
     if constexpr (requires { objects.tests(); }) {
-      return job_.costs.intersection * objects.tests();
+      return objects.tests();
     } else {
-      return job_.costs.leaf(objects.count());
+      return static_cast<double>(objects.count());
     }
   }
 

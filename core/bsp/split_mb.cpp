@@ -16,15 +16,15 @@ std::optional<Split> cheapest_between_medians(const BuildJob& job,
   std::optional<Split> best;
   for (int axis = 0; axis < 3; ++axis) {
     const PlaneRange range(job, place.cell, axis);
-    const SplitCost cost(job.costs, place.cell, axis);
+    const SplitTests tests(job.costs, place.cell, axis);
     const double spatial = 0.5 * (double{place.cell.lo[axis]} + place.cell.hi[axis]);
     const double step = (object_median(parts, axis) - spatial) / (planes_between + 1);
     for (int i = 0; i <= planes_between + 1; ++i) {
       const auto position = static_cast<float>(spatial + i * step);
       if (!range.holds(position)) break;
       Split split = count_sides(job, parts, axis, position);
-      split.cost = cost(position, split.left, split.right);
-      if (divides(split, parts.size()) && (!best || split.cost < best->cost)) best = split;
+      split.tests = tests(position, split.left, split.right);
+      if (divides(split, parts.size()) && (!best || split.tests < best->tests)) best = split;
     }
   }
   return best;

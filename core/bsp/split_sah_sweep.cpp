@@ -16,7 +16,7 @@ class SweptObjects {
 
   std::optional<Split> find_split(const Place& place) const {
     const Split best = cheapest_of_events(*job_, events_, place.cell);
-    return std::isfinite(best.cost) ? std::optional(best) : std::nullopt;
+    return std::isfinite(best.tests) ? std::optional(best) : std::nullopt;
   }
 
   FewParts few_parts(ScratchStack& scratch) const { return events_.few_parts(scratch); }

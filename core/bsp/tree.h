@@ -27,7 +27,7 @@ struct BuildParams {
   std::optional<bool> clip;      ///< nullopt: off for median, on for the others
   float cost_traversal = 1.0f;
   std::optional<float> cost_intersection;  ///< nullopt: what testing the objects costs
-  float empty_bonus = 0.1f;      ///< share of the cost that a split with one empty side saves
+  float empty_bonus = 0.1f;      ///< share of the tests that a plane with an empty side is spared
   std::size_t memory_limit = std::size_t{1} << 30;  ///< bytes of nodes and references
   int threads = 0;               ///< 0: every core; never changes the tree
   bool lazy = false;             ///< built where rays go (core/render/lazy_tree.h)

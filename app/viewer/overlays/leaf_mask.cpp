@@ -1,12 +1,18 @@
 #include "app/viewer/overlays/leaf_mask.h"
 
+#include <utility>
+
 namespace bspview {
 namespace {
+
+bool takes_every_depth(const LeafFilter& filter, const Tree& tree) {
+  return filter.min_depth <= 0 && filter.max_depth >= tree.max_depth;
+}
 
 /// Of all nodes; zeros where the filter takes leaves of every depth.
 std::vector<std::uint8_t> depths_for(const LeafFilter& filter, const Tree& tree) {
   std::vector<std::uint8_t> depths(tree.nodes.size(), 0);
-  if (filter.min_depth <= 0 && filter.max_depth >= tree.max_depth) return depths;
+  if (takes_every_depth(filter, tree)) return depths;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const Node& node = tree.nodes[i];
     if (node.is_leaf()) continue;
@@ -32,6 +38,46 @@ void fill_inner(const Tree& tree, LeafMask& mask) {
   }
 }
 
+/// Leaves that are shown one by one.
+class Touched {
+ public:
+  Touched(const NodeCells& cells, const LeafFilter& filter)
+      : cells_(cells),
+        tree_(cells.tree()),
+        filter_(filter),
+        needs_depth_(!takes_every_depth(filter, tree_)),
+        mask_(tree_.nodes.size(), Shown::none) {}
+
+  /// Whatever is no leaf is ignored.
+  void touch(std::uint32_t node) {
+    if (node >= mask_.size() || mask_[node] != Shown::none || !tree_.nodes[node].is_leaf()) return;
+    const int depth = needs_depth_ ? cells_.depth(node) : 0;
+    if (passes(filter_, tree_.nodes[node], depth)) show(node);
+  }
+
+  LeafMask take_mask() { return std::move(mask_); }
+
+ private:
+  /// A node is shown as a whole once both children are, and in part as soon as one is in part.
+  void show(std::uint32_t node) {
+    mask_[node] = Shown::all;
+    while (node != 0) {
+      node = cells_.parent(node);
+      const Node& parent = tree_.nodes[node];
+      const Shown left = mask_[parent.left()], right = mask_[parent.right()];
+      const Shown shown = left == right ? left : Shown::some;
+      if (mask_[node] == shown) return;
+      mask_[node] = shown;
+    }
+  }
+
+  const NodeCells& cells_;
+  const Tree& tree_;
+  const LeafFilter& filter_;
+  const bool needs_depth_;
+  LeafMask mask_;
+};
+
 }  // namespace
 
 LeafMask filter_leaves(const Tree& tree, const LeafFilter& filter) {
@@ -45,33 +91,14 @@ LeafMask filter_leaves(const Tree& tree, const LeafFilter& filter) {
   return mask;
 }
 
-LeafMask choose_leaves(const Tree& tree, const LeafFilter& filter,
-                       std::span<const std::uint32_t> nodes) {
-  const std::vector<std::uint8_t> depths = depths_for(filter, tree);
-  LeafMask mask(tree.nodes.size(), Shown::none);
-  for (const std::uint32_t i : nodes) {
-    if (i >= tree.nodes.size() || !tree.nodes[i].is_leaf()) continue;
-    if (passes(filter, tree.nodes[i], depths[i])) mask[i] = Shown::all;
-  }
-  fill_inner(tree, mask);
-  return mask;
-}
-
-std::vector<std::uint32_t> touched_leaves(const Tree& tree, std::span<const std::uint32_t> surface,
-                                          std::span<const PathRay> rays) {
-  std::vector<bool> touched(tree.nodes.size(), false);
-  const auto touch = [&](std::uint32_t node) {
-    if (node < touched.size() && tree.nodes[node].is_leaf()) touched[node] = true;
-  };
-  for (const std::uint32_t node : surface) touch(node);
+LeafMask touched_leaves(const NodeCells& cells, const LeafFilter& filter,
+                        std::span<const std::uint32_t> surface, std::span<const PathRay> rays) {
+  Touched touched(cells, filter);
+  for (const std::uint32_t node : surface) touched.touch(node);
   for (const PathRay& ray : rays) {
-    for (const RayStep& step : ray.log.steps) touch(step.node);
+    for (const RayStep& step : ray.log.steps) touched.touch(step.node);
   }
-  std::vector<std::uint32_t> leaves;
-  for (std::uint32_t i = 0; i < touched.size(); ++i) {
-    if (touched[i]) leaves.push_back(i);
-  }
-  return leaves;
+  return touched.take_mask();
 }
 
 }  // namespace bspview

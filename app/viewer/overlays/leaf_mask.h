@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/bsp/tree.h"
+#include "app/viewer/overlays/node_cells.h"
 #include "core/render/render.h"
 
 namespace bspview {
@@ -27,15 +27,10 @@ using LeafMask = std::vector<Shown>;
 /// The leaves that pass `filter`. O(nodes).
 [[nodiscard]] LeafMask filter_leaves(const Tree& tree, const LeafFilter& filter);
 
-/// The leaves among `nodes` (indices; other entries are ignored) that pass `filter`.
-/// O(nodes of the tree + nodes).
-[[nodiscard]] LeafMask choose_leaves(const Tree& tree, const LeafFilter& filter,
-                                     std::span<const std::uint32_t> nodes);
-
-/// Node indices, each once, ascending: of the leaves on the visible surface (`surface` is
-/// Frame::leaf) and of those that `rays` visited. O(nodes + pixels + steps).
-[[nodiscard]] std::vector<std::uint32_t> touched_leaves(const Tree& tree,
-                                                        std::span<const std::uint32_t> surface,
-                                                        std::span<const PathRay> rays);
+/// The leaves that pass `filter` and are on the visible surface (`surface` is Frame::leaf) or on
+/// the way of `rays`. O(pixels + steps + leaves x depth), apart from room for the nodes.
+[[nodiscard]] LeafMask touched_leaves(const NodeCells& cells, const LeafFilter& filter,
+                                      std::span<const std::uint32_t> surface,
+                                      std::span<const PathRay> rays);
 
 }  // namespace bspview

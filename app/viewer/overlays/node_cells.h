@@ -15,6 +15,9 @@ class NodeCells {
  public:
   explicit NodeCells(const Tree& tree, const std::stop_token& stop = {});
 
+  [[nodiscard]] const Tree& tree() const { return tree_; }
+  /// The root's is itself.
+  [[nodiscard]] std::uint32_t parent(std::uint32_t node) const { return parents_[node]; }
   [[nodiscard]] Aabb cell(std::uint32_t node) const;
   [[nodiscard]] int depth(std::uint32_t node) const;
   /// Node indices from the root to `node`, both included.

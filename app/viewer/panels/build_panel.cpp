@@ -105,14 +105,14 @@ void test_cost_row(const Ui& ui, const Results& results, BuildParams& params) {
 }
 
 void cost_rows(const Ui& ui, const Results& results, BuildParams& params) {
-  const DisabledScope scope(disabled(!costs_choose_planes(params.builder)));
+  const DisabledScope scope(disabled(!has_costs(params.builder)));
   constexpr Label label{"build.cost_traversal", "Node cost", "C_T: of visiting an inner node."};
   begin_row(ui, label);
   cost_field(ui, label, params.cost_traversal);
   test_cost_row(ui, results, params);
   slider_row(ui,
              {"build.empty_bonus", "Empty bonus",
-              "Share of the cost that a split with one empty side is spared."},
+              "Share of the tests that a split with one empty side is spared."},
              params.empty_bonus, {0.0f, 0.95f, "%.2f"});
 }
 

@@ -71,12 +71,31 @@ TEST(TreeWork, LimitsOfOtherBuildersAreCutOnceOneWasMoved) {
 TEST(TreeWork, WhatChoosesPlanesIsRebuilt) {
   Wisher wisher;
   for (const BuildParams& params : {BuildParams{},
-                                    {.cost_traversal = 2.0f},
                                     {.cost_intersection = 2.0f},
                                     {.empty_bonus = 0.3f},
                                     {.clip = false},
                                     {.builder = Builder::naive}}) {
     EXPECT_EQ(wisher.want(params)->origin, Origin::build);
+  }
+}
+
+TEST(TreeWork, CostsAreCutOnceTheyWereMovedFurther) {
+  Wisher wisher;
+  for (const Builder builder : {Builder::mb, Builder::sah, Builder::sah_binned}) {
+    const auto want = [&](float node, std::optional<float> test = {}) {
+      const BuildParams params{
+          .builder = builder, .cost_traversal = node, .cost_intersection = test};
+      return wisher.want(params)->origin;
+    };
+    EXPECT_EQ(want(1.0f), Origin::build);
+    EXPECT_EQ(want(2.0f), Origin::cut);
+    EXPECT_EQ(want(0.5f), Origin::cut) << "of a larger tree, which is built once";
+    EXPECT_EQ(want(0.4f), Origin::cut);
+    EXPECT_EQ(want(1.0f), Origin::cut);
+    EXPECT_EQ(want(1.0f, 3.0f), Origin::build) << "one for all objects";
+    EXPECT_EQ(want(1.0f, 2.0f), Origin::cut);
+    EXPECT_EQ(want(1.0f, 4.0f), Origin::cut) << "of a larger tree";
+    EXPECT_EQ(want(2.0f, 8.5f), Origin::cut);
   }
 }
 
@@ -115,7 +134,10 @@ TEST(TreeWork, WhatIsBuiltServesAllThatCanBeCutFromIt) {
   EXPECT_TRUE(work.serves(with([](BuildParams& p) { p.leaf_size = 3; })));
   EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.max_depth = 21; })));
   EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.leaf_size = 1; })));
-  EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.cost_traversal = 3.0f; })));
+  EXPECT_TRUE(work.serves(with([](BuildParams& p) { p.cost_traversal = 3.0f; })));
+  EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.cost_traversal = 0.9f; })));
+  EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.cost_intersection = 0.01f; })));
+  EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.empty_bonus = 0.2f; })));
   EXPECT_FALSE(work.serves(with([](BuildParams& p) { p.builder = Builder::median; })));
   EXPECT_FALSE(work.serves({open("spd:balls:1"), request.params}));
   stop.request_stop();
@@ -154,7 +176,7 @@ TEST(TreeWork, AStopPublishesNothingAndLeavesWhatOthersAreCutFrom) {
   EXPECT_EQ(wisher.want({.max_depth = 9})->origin, Origin::cut);
 }
 
-TEST(TreeWork, WhatChoosesThePlanesOfALargeTreeIsSketchedFirst) {
+TEST(TreeWork, WhatALargeTreeIsBuiltAnewForIsSketchedFirst) {
   const auto scene = open("spd:mount:7");
   TreeWork work;
   std::vector<std::shared_ptr<const BuiltTree>> published;
@@ -166,16 +188,17 @@ TEST(TreeWork, WhatChoosesThePlanesOfALargeTreeIsSketchedFirst) {
   };
   EXPECT_EQ(want({.builder = Builder::mb}), 1u);
   EXPECT_EQ(want({}), 1u) << "another builder";
-  ASSERT_EQ(want({.cost_traversal = 2.0f}), 2u);
+  EXPECT_EQ(want({.cost_traversal = 2.0f}), 1u) << "a cut";
+  ASSERT_EQ(want({.empty_bonus = 0.3f}), 2u);
   EXPECT_EQ(published[0]->origin, Origin::sketch);
-  const BuildParams binned{.builder = Builder::sah_binned, .cost_traversal = 2.0f};
+  const BuildParams binned{.builder = Builder::sah_binned, .empty_bonus = 0.3f};
   EXPECT_EQ(published[0]->request.params, binned);
   EXPECT_EQ(published[0]->tree.nodes, build_scene_tree(scene->scene, binned)->nodes);
   EXPECT_EQ(published[1]->origin, Origin::build);
-  EXPECT_EQ(published[1]->tree.nodes,
-            build_scene_tree(scene->scene, {.cost_traversal = 2.0f})->nodes);
-  EXPECT_EQ(want({.max_depth = 9, .cost_traversal = 2.0f}), 1u) << "a cut";
-  EXPECT_EQ(want({.max_depth = 9, .cost_traversal = 3.0f}), 2u);
+  EXPECT_EQ(published[1]->tree.nodes, build_scene_tree(scene->scene, {.empty_bonus = 0.3f})->nodes);
+  EXPECT_EQ(want({.max_depth = 9, .empty_bonus = 0.3f}), 1u) << "a cut";
+  EXPECT_EQ(want({.cost_traversal = 0.5f, .empty_bonus = 0.3f}), 2u) << "of a larger tree";
+  EXPECT_EQ(want({.cost_traversal = 0.2f, .empty_bonus = 0.3f}), 1u) << "a cut of that";
 }
 
 TEST(TreeWork, AStoppedSketchIsNotShown) {
@@ -185,7 +208,7 @@ TEST(TreeWork, AStoppedSketchIsNotShown) {
   std::stop_source stop;
   stop.request_stop();
   const auto publish = [](const auto&) { ADD_FAILURE(); };
-  EXPECT_FALSE(work({scene, {.cost_traversal = 2.0f}}, stop.get_token(), publish).ok());
+  EXPECT_FALSE(work({scene, {.cost_traversal = 0.5f}}, stop.get_token(), publish).ok());
 }
 
 TEST(TreeWork, SaysHowFarABuildIsAndNeverGoesBack) {
@@ -194,7 +217,7 @@ TEST(TreeWork, SaysHowFarABuildIsAndNeverGoesBack) {
   const auto build = [&] { return work(request, {}, [](const auto&) {}).ok(); };
   EXPECT_TRUE(build());
   EXPECT_EQ(work.progress(), 0.0);
-  request.params.cost_traversal = 2.0f;  // a sketch, then the tree
+  request.params.cost_traversal = 0.5f;  // a sketch, then the tree
   std::future<bool> built = std::async(std::launch::async, build);
   double last = 0.0;
   while (built.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {

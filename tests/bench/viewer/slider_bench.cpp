@@ -37,7 +37,7 @@ void leaf_size(BuildParams& params, int i) {
   params.leaf_size = 1 + i % 30;
 }
 void cost_of_nodes(BuildParams& params, int i) {
-  params.cost_traversal = 1.0f + 0.05f * static_cast<float>(1 + i % 30);
+  params.cost_traversal = 0.5f + 0.05f * static_cast<float>(i % 30);
 }
 
 /// Seconds. A large tree of `sah` may be sketched first: `exact` is that of the tree itself.

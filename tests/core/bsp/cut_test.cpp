@@ -41,12 +41,18 @@ void expect_cut_is_rebuilt(const BuildInput& input, const MaximalTree& whole,
   EXPECT_EQ(part->naive, rebuilt->naive);
 }
 
-/// Limits within depth 13 and leaf size 1, and costs that must not matter to builders without any.
+/// Limits within depth 13, leaf size 1 and the ratio of the costs, C_I aside: where it is given, it
+/// is less. Costs must not matter to builders without any.
 BuildParams random_limits(BuildParams params, test::Random& random) {
   params.max_depth = random.below(15) - 1;
   params.leaf_size = random.below(3) == 0 ? random.below(2) : random.below(40);
   params.threads = 1 + random.below(2);
-  if (params.builder == Builder::mb || params.builder >= Builder::sah) return params;
+  if (has_costs(params.builder)) {
+    params.cost_traversal *=
+        1.0f + random.between(0.0f, 3.0f) * static_cast<float>(random.below(2));
+    if (params.cost_intersection) *params.cost_intersection *= random.unit();
+    return params;
+  }
   params.cost_traversal = random.between(0.0f, 4.0f);
   params.cost_intersection = random.between(0.0f, 4.0f);
   params.empty_bonus = random.unit();
@@ -68,11 +74,35 @@ TEST_P(CutOfScene, IsTheRebuiltTreeNodeForNode) {
   const SceneBuildInput objects(scene);
   const BuildInput input = objects.input();
   test::Random random(2016);
-  for (const BuildParams& params : every_way({.max_depth = 13})) {
-    const MaximalTree whole = whole_tree(input, params);
-    for (int i = 0; i < 10; ++i) {
-      expect_cut_is_rebuilt(input, whole, random_limits(params, random));
+  for (const BuildParams& costs : {BuildParams{},
+                                   {.cost_traversal = 0.1f},
+                                   {.cost_traversal = 0.2f, .cost_intersection = 1.5f}}) {
+    BuildParams shallow = costs;
+    shallow.max_depth = 13;
+    for (const BuildParams& params : every_way(shallow)) {
+      const MaximalTree whole = whole_tree(input, params);
+      for (int i = 0; i < 6; ++i) {
+        expect_cut_is_rebuilt(input, whole, random_limits(params, random));
+      }
     }
+  }
+}
+
+TEST(Cut, ByEveryRatioOfCostsIsTheRebuiltTree) {
+  const test::BoxSet set = test::random_boxes(3000, 5);
+  for (const Builder builder : {Builder::mb, Builder::sah, Builder::sah_binned}) {
+    const MaximalTree whole = whole_tree(
+        set.input(), {.builder = builder, .cost_traversal = 0.0f, .cost_intersection = 2.0f});
+    std::size_t nodes = whole.tree->nodes.size() + 1;
+    for (const float node : {0.0f, 0.01f, 0.3f, 3.0f, 30.0f, 1000.0f, 1e30f}) {
+      const BuildParams params{
+          .builder = builder, .cost_traversal = node, .cost_intersection = 2.0f};
+      expect_cut_is_rebuilt(set.input(), whole, params);
+      const std::size_t fewer = cut(whole, params)->nodes.size();
+      EXPECT_LE(fewer, nodes) << node;
+      nodes = fewer;
+    }
+    EXPECT_EQ(nodes, 1u);
   }
 }
 
@@ -145,8 +175,9 @@ TEST(Cut, HasNoMoreThanTheWholeTree) {
   EXPECT_FALSE(with([](BuildParams& p) { p.leaf_size = 2; }));
   EXPECT_FALSE(with([](BuildParams& p) { p.clip = false; }));
   EXPECT_FALSE(with([](BuildParams& p) { p.builder = Builder::sah; }));
-  EXPECT_FALSE(with([](BuildParams& p) { p.cost_traversal = 2.0f; }));
-  EXPECT_FALSE(with([](BuildParams& p) { p.cost_intersection = 2.0f; }));
+  EXPECT_TRUE(with([](BuildParams& p) { p.cost_traversal = 2.0f; }));
+  EXPECT_FALSE(with([](BuildParams& p) { p.cost_traversal = 0.9f; }));
+  EXPECT_FALSE(with([](BuildParams& p) { p.cost_intersection = 2.0f; })) << "one for all objects";
   EXPECT_FALSE(with([](BuildParams& p) { p.empty_bonus = 0.2f; }));
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/bsp/stats.h"
+#include "tests/support/random.h"
 #include "tests/support/random_tree.h"
 
 namespace bspview {
@@ -40,22 +41,42 @@ TEST(LeafMask, FiltersByDepth) {
   EXPECT_EQ(filter_leaves(tree, {.min_depth = 2, .max_depth = 1}), Mask(5, none));
 }
 
-TEST(LeafMask, ChoosesLeavesThatPassTheFilterToo) {
-  const Tree tree = small_tree();
-  const std::vector<std::uint32_t> nodes{4, 3, 2, no_leaf, 77};
-  EXPECT_EQ(choose_leaves(tree, {}, nodes), (Mask{some, none, all, all, all}));
-  EXPECT_EQ(choose_leaves(tree, {.contents = LeafFilter::Contents::full}, nodes),
-            (Mask{some, none, some, none, all}));
-  EXPECT_EQ(choose_leaves(tree, {}, {}), Mask(5, none));
-}
-
 TEST(LeafMask, TouchedLeavesAreThoseOnTheSurfaceAndOnTheRays) {
   const Tree tree = small_tree();
-  const std::vector<std::uint32_t> surface{4, no_leaf, 4, no_leaf};
+  const NodeCells cells(tree);
+  const std::vector<std::uint32_t> surface{4, no_leaf, 4, 2, 77};
   PathRay ray;
   ray.log.steps = {{.node = 0, .kind = StepKind::both}, {.node = 1, .kind = StepKind::leaf}};
-  EXPECT_EQ(touched_leaves(tree, surface, {&ray, 1}), (std::vector<std::uint32_t>{1, 4}));
-  EXPECT_TRUE(touched_leaves(tree, {}, {}).empty());
+  EXPECT_EQ(touched_leaves(cells, {}, surface, {}), (Mask{some, none, some, none, all}));
+  EXPECT_EQ(touched_leaves(cells, {}, surface, {&ray, 1}), (Mask{some, all, some, none, all}));
+  EXPECT_EQ(touched_leaves(cells, {}, {}, {}), Mask(5, none));
+}
+
+TEST(LeafMask, TouchedLeavesPassTheFilterToo) {
+  const Tree tree = small_tree();
+  const NodeCells cells(tree);
+  const std::vector<std::uint32_t> surface{4, 3, 1};
+  EXPECT_EQ(touched_leaves(cells, {.contents = LeafFilter::Contents::full}, surface, {}),
+            (Mask{some, all, some, none, all}));
+  EXPECT_EQ(touched_leaves(cells, {.min_depth = 2}, surface, {}),
+            (Mask{some, none, all, all, all}));
+}
+
+TEST(LeafMask, LeavesThatAreAllTouchedAreAllOfATree) {
+  const Tree tree = test::make_random_tree(400, 2);
+  const NodeCells cells(tree);
+  test::Random random(3);
+  std::vector<std::uint32_t> surface;  // all nodes in any order
+  for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
+    surface.push_back(i);
+    std::swap(surface.back(),
+              surface[static_cast<std::size_t>(random.below(static_cast<int>(surface.size())))]);
+  }
+  for (const LeafFilter& filter : {LeafFilter{},
+                                   {.contents = LeafFilter::Contents::empty},
+                                   {.min_depth = 5, .max_depth = 9}}) {
+    EXPECT_EQ(touched_leaves(cells, filter, surface, {}), filter_leaves(tree, filter));
+  }
 }
 
 TEST(LeafMask, InnerNodesSayWhatTheirLeavesSay) {

@@ -124,7 +124,8 @@ TEST(NodeBoxes, ChosenLeavesHaveTheEdgesOfTheirBoxes) {
   const Tree tree = test::make_random_tree(300, 6);
   std::vector<std::uint32_t> chosen;
   for (std::uint32_t node = 0; node < tree.nodes.size(); node += 7) chosen.push_back(node);
-  const LineList lines = node_box_lines(tree, choose_leaves(tree, {}, chosen), plain());
+  const LineList lines =
+      node_box_lines(tree, touched_leaves(NodeCells(tree), {}, chosen, {}), plain());
   EXPECT_EQ(edge_set(lines),
             edge_set(boxes_of_leaves(tree, [](auto node, int) { return node % 7 == 0; })));
 }
