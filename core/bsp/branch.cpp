@@ -25,7 +25,9 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, Branch& part
     leaf.node = leaf.node == 0 ? slot : leaf.node + first_node;
     whole.deferred.push_back(std::move(leaf));
   }
-  whole.inner.append(part.inner);
+  make_room(job, whole.inner.lists(), part.inner.size());
+  append(job, whole.inner.lists(), std::span(std::as_const(part.inner.lists())));
+  whole.inner.take_over(part.inner);
   whole.metered += part.metered - sizeof(Node);
 }
 

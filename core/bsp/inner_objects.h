@@ -88,6 +88,8 @@ class InnerStore {
 /// leaf. The lists come in the order of the nodes, each behind its length and what its plane saves.
 class InnerLists {
  public:
+  using Lists = RawVector<const std::uint32_t*>;
+
   std::size_t size() const { return lists_.size(); }
 
   /// Object ids of the node with the i-th pair of children.
@@ -96,6 +98,9 @@ class InnerLists {
   }
   /// Expected tests of a leaf in its place, less those of its children.
   float saving(std::size_t i) const { return std::bit_cast<float>(lists_[i][1]); }
+
+  /// Where room is made, which takes its time, before more are kept or appended.
+  Lists& lists() { return lists_; }
 
   template <class Objects>
   void keep(const Objects& objects, float saving, InnerMeter& meter, InnerStore& store) {
@@ -109,9 +114,8 @@ class InnerLists {
     room_ -= head + count;
   }
 
-  /// Puts the lists of `part`, which becomes empty, behind these.
-  void append(InnerLists& part) {
-    lists_.insert(lists_.end(), part.lists_.begin(), part.lists_.end());
+  /// Those of `part`, which becomes empty, lie behind these already.
+  void take_over(InnerLists& part) {
     metered_ += part.metered_;
     part = {};
   }
@@ -131,7 +135,7 @@ class InnerLists {
     return true;
   }
 
-  RawVector<const std::uint32_t*> lists_;
+  Lists lists_;
   std::uint32_t* page_ = nullptr;  // where the next list goes
   std::size_t room_ = 0;           // there
   std::size_t page_size_ = 0;      // of the last page, but for a longer list

@@ -74,7 +74,7 @@ class Recursion {
       make_leaf(objects, slot);
       return job_.tell(place.work);
     }
-    if (job_.inner) slot.branch.inner.keep(objects, saving, job_.inner->meter, job_.inner->store);
+    if (job_.inner) keep_inner(objects, saving, slot.branch);
 
     const CellSplit split(*wanted, place.cell);
     Objects other = objects.split(split, slot.branch.scratch);
@@ -121,6 +121,11 @@ class Recursion {
     objects.write_objects(references.data() + first);
     slot.branch.nodes[slot.node] = Node::make_leaf(first, count);
     if (slot.branch.bytes() > slot.branch.metered + meter_step) meter(job_, slot.branch);
+  }
+
+  void keep_inner(const Objects& objects, float saving, Branch& branch) const {
+    make_room(job_, branch.inner.lists(), 1);
+    branch.inner.keep(objects, saving, job_.inner->meter, job_.inner->store);
   }
 
   /// The work of the children, once that of the node is done.

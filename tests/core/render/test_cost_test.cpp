@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/render/scene_tree.h"
+#include "core/scene/spd.h"
 #include "tests/support/scenes.h"
 
 namespace bspview {
@@ -30,6 +31,16 @@ TEST(TestCost, APolygonCostsAsItHasCorners) {
   EXPECT_EQ(test_cost(costs, scene, scene.objects[0]), 8.0f);
   EXPECT_EQ(test_cost(costs, scene, scene.objects[1]), 12.0f);
   EXPECT_EQ(mean_test_cost(costs, scene), 10.0f);
+}
+
+TEST(TestCost, TheMeanIsThatOfTheObjects) {
+  for (const SpdScene& spd : spd_scenes()) {
+    const Scene scene = *make_spd(spd.name);
+    double sum = 0.0;
+    for (const Object& object : scene.objects) sum += test_cost(default_test_costs, scene, object);
+    const double mean = sum / static_cast<double>(scene.objects.size());
+    EXPECT_NEAR(mean_test_cost(default_test_costs, scene), mean, 1e-6 * mean) << spd.name;
+  }
 }
 
 /// Objects of the leaf with the most.
