@@ -26,25 +26,26 @@ constexpr double sketch_share = 0.4;
 
 /// Whether `sah-binned` is worth the while before `sah`. Clipping polygons takes both most of their
 /// time, and equally long.
-bool is_worth_a_sketch(const ObjectCounts& counts) {
-  return counts.objects >= fewest_sketched && counts.polygons <= counts.objects / 2;
+bool is_worth_a_sketch(const TreeRequest& request) {
+  const ObjectCounts& counts = request.scene->counts;
+  return request.params.builder == Builder::sah && counts.objects >= fewest_sketched &&
+         counts.polygons <= counts.objects / 2;
 }
 
 bool is_family(const TreeRequest& a, const TreeRequest& b) {
   return a.scene == b.scene && same_planes(a.params, b.params);
 }
 
-bool differ_in_costs(const TreeRequest& a, const TreeRequest& b) {
-  return !is_family(a, b) || cost_ratio(a.params) != cost_ratio(b.params);
+bool is_same_but_planes(const TreeRequest& a, const TreeRequest& b) {
+  return a.scene == b.scene && a.params.builder == b.params.builder;
 }
 
-/// The tree that others with the same planes are parts of: all but those with much lower costs of
-/// nodes, where the costs have moved. Without any cost it would take several times as long.
-TreeRequest without_limits(TreeRequest request, bool costs_move) {
-  constexpr float still_to_move = 0.25f;
+/// The tree that others with the same planes are parts of: all where nodes cost as much or more,
+/// and with `cheaper_nodes` down to a quarter. Free nodes would take several times as long.
+TreeRequest without_limits(TreeRequest request, bool cheaper_nodes) {
   request.params.max_depth = depth_cap;
   request.params.leaf_size = 1;
-  if (costs_move) request.params.cost_traversal *= still_to_move;
+  if (cheaper_nodes) request.params.cost_traversal *= 0.25f;
   return request;
 }
 
@@ -69,31 +70,22 @@ class TreeWork::Grower {
     BuiltTree::Origin origin = BuiltTree::Origin::build;
   };
 
-  /// About the tree that is asked for, soon; null where that one itself is soon there, or nobody
-  /// turns at it.
-  std::shared_ptr<const BuiltTree> sketch(const TreeRequest& request, std::stop_token stop) {
-    if (!is_turned_at(request) || !is_worth_a_sketch(request.scene->counts)) return nullptr;
-    TreeRequest about = request;
-    about.params.builder = Builder::sah_binned;
-    Result<Tree> tree =
-        build_scene_tree(about.scene->scene, about.params, watch_build(stop, sketch_share));
-    if (!tree) return nullptr;
-    auto built = std::make_shared<const BuiltTree>(
-        about, std::make_shared<const Tree>(*std::move(tree)), BuiltTree::Origin::sketch, stop);
-    return stop.stop_requested() ? nullptr : built;
-  }
-
-  Result<Grown> grow(const TreeRequest& request, std::stop_token stop) {
+  /// Publishes a sketch before it where that is sooner there.
+  Result<Grown> grow(const TreeRequest& request, std::stop_token stop,
+                     const Publish<BuiltTree>& publish) {
     const std::optional<TreeRequest> before = std::exchange(last_, request);
     const bool is_new = !before || !is_family(*before, request);
+    const bool costs_move = !is_new && cost_ratio(before->params) != cost_ratio(request.params);
     if (is_new) {
       whole_ = {};
-      largest_fits_ = request.scene->counts.objects <= most_objects;
+      largest_fits_ = cheaper_nodes_fit_ = request.scene->counts.objects <= most_objects;
     }
     if (std::optional<Grown> part = cut_from_whole(request, stop)) return *std::move(part);
     is_untidy_ = true;
-    if (is_new) return grow_first(request, stop);
-    return grow_next(request, differ_in_costs(*before, request), stop);
+    const bool is_turned_at =
+        is_new ? before && is_same_but_planes(*before, request) : costs_move && !largest_fits_;
+    if (is_turned_at && is_worth_a_sketch(request)) sketch(request, stop, publish);
+    return is_new ? grow_first(request, stop) : grow_next(request, costs_move, stop);
   }
 
   /// Builds free many times what they leave. Call it when nobody waits.
@@ -116,17 +108,15 @@ class TreeWork::Grower {
   }
 
  private:
-  /// Whether `sah` has to build anew for other costs of the same scene.
-  bool is_turned_at(const TreeRequest& request) const {
-    return last_ && last_->scene == request.scene && last_->params.builder == Builder::sah &&
-           request.params.builder == Builder::sah && differ_in_costs(*last_, request) &&
-           !has_part(request);
-  }
-
-  /// Whether it can be cut from the whole tree.
-  bool has_part(const TreeRequest& request) const {
-    return whole_.inner && is_family(*last_, request) &&
-           is_part(request.params, whole_.tree->params, request.scene->counts.objects);
+  /// About the tree that is asked for.
+  void sketch(TreeRequest about, const std::stop_token& stop, const Publish<BuiltTree>& publish) {
+    about.params.builder = Builder::sah_binned;
+    Result<Tree> tree =
+        build_scene_tree(about.scene->scene, about.params, watch_build(stop, sketch_share));
+    if (!tree) return;
+    const auto built = std::make_shared<const BuiltTree>(
+        about, std::make_shared<const Tree>(*std::move(tree)), BuiltTree::Origin::sketch, stop);
+    if (!stop.stop_requested()) publish(built);
   }
 
   std::optional<Grown> cut_from_whole(const TreeRequest& request, const std::stop_token& stop) {
@@ -154,10 +144,11 @@ class TreeWork::Grower {
   Result<Grown> grow_next(const TreeRequest& request, bool costs_move, std::stop_token stop) {
     if (largest_fits_ && has_costs(request.params.builder)) {
       constexpr InnerLimit whole_or_nothing{inner_bytes, InnerLimit::WhenPassed::do_not_build};
-      const auto grown = grow_whole(without_limits(request, costs_move), whole_or_nothing, stop);
+      const bool cheaper_nodes = costs_move && cheaper_nodes_fit_;
+      const auto grown = grow_whole(without_limits(request, cheaper_nodes), whole_or_nothing, stop);
       if (stop.stop_requested()) return Error{"stopped"};
       if (std::optional<Grown> part = cut_from_whole(request, stop)) return *std::move(part);
-      largest_fits_ = false;
+      (cheaper_nodes ? cheaper_nodes_fit_ : largest_fits_) = false;
     }
     return grow_as_asked(request, stop);
   }
@@ -196,8 +187,9 @@ class TreeWork::Grower {
   }
 
   std::optional<TreeRequest> last_;
-  MaximalTree whole_;  // of the same scene and planes; its tree is null before there is one
-  bool largest_fits_ = false;
+  MaximalTree whole_;          // of the same scene and planes; its tree is null before there is one
+  bool largest_fits_ = false;  // without limits
+  bool cheaper_nodes_fit_ = false;  // and with cheaper nodes
   bool is_untidy_ = false;
   std::atomic<double> done_ = 0.0;  // of the work under way
 
@@ -222,8 +214,7 @@ TreeWork::TreeWork() : grower_(std::make_shared<Grower>()) {}
 Result<void> TreeWork::operator()(const TreeRequest& request, std::stop_token stop,
                                   const Publish<BuiltTree>& publish) {
   const Rest afterwards(*grower_);
-  if (const auto sketch = grower_->sketch(request, stop)) publish(sketch);
-  Result<Grower::Grown> grown = grower_->grow(request, stop);
+  Result<Grower::Grown> grown = grower_->grow(request, stop, publish);
   if (!grown) return grown.error();
   const auto built =
       std::make_shared<const BuiltTree>(request, std::move(grown->tree), grown->origin, stop);

@@ -25,11 +25,11 @@ Result<void> judge_picture(const AccuracyRequest& request, std::stop_token stop,
 Result<void> take_times(const MeasureRequest& request, std::stop_token stop,
                         const Publish<Measures>& publish);
 
-/// Builds trees, and while nothing but their limits is changed, cuts them from a larger one. The
-/// builders that costs stop early keep what that needs from their first tree on, which takes up to
-/// 7 % of its time; the others, whose trees grow without end, only once a limit has been changed.
-/// While someone turns at what chooses the planes of a large tree of `sah`, that of `sah-binned` is
-/// published first.
+/// Builds trees, and while only their limits or the ratio of their costs change, cuts them from a
+/// larger one. The builders that costs stop early keep what that needs from their first tree on,
+/// which takes up to 7 % of its time; the others, whose trees grow without end, only once a limit
+/// has been changed. While someone turns at what a large tree of `sah` has to be built anew for
+/// every time, that of `sah-binned` is published first.
 class TreeWork {
  public:
   TreeWork();

@@ -1,6 +1,16 @@
 #include "core/bsp/branch.h"
 
 namespace bspview {
+namespace {
+
+/// Puts those of `part`, which becomes empty, at the end.
+void append(const BuildJob& job, InnerLists& whole, InnerLists& part) {
+  make_room(job, whole.lists(), part.size());
+  append(job, whole.lists(), std::span(std::as_const(part).lists()));
+  whole.take_over(part);
+}
+
+}  // namespace
 
 void meter(const BuildJob& job, Branch& branch) {
   if (job.meter) job.meter->add(branch.bytes() - branch.metered);
@@ -25,9 +35,7 @@ void splice(const BuildJob& job, Branch& whole, std::uint32_t slot, Branch& part
     leaf.node = leaf.node == 0 ? slot : leaf.node + first_node;
     whole.deferred.push_back(std::move(leaf));
   }
-  make_room(job, whole.inner.lists(), part.inner.size());
-  append(job, whole.inner.lists(), std::span(std::as_const(part.inner.lists())));
-  whole.inner.take_over(part.inner);
+  append(job, whole.inner, part.inner);
   whole.metered += part.metered - sizeof(Node);
 }
 

@@ -15,7 +15,7 @@ struct CostModel {
   double traversal = 0.0;
   double intersection = 0.0;
   double empty_factor = 1.0;  ///< of the tests behind a plane with one empty side
-  bool counts_all = false;    ///< sides that are divided further are tested as leaves would
+  bool counts_all = false;    ///< sides that are divided further count as leaves do
 
   double leaf(std::size_t objects) const { return intersection * static_cast<double>(objects); }
 
@@ -56,7 +56,8 @@ inline double tests_below(std::uint32_t objects) {
 }
 
 /// Objects that a ray that crosses a cell is expected to test where a plane across one axis divides
-/// it and both sides become leaves. Costs do not matter: the same plane is the best for all.
+/// it and both sides become leaves, less the bonus where one side is empty. C_T and C_I do not
+/// matter: the same plane is the best for all.
 /// After MacDonald & Booth 1990, "Heuristics for ray tracing using space subdivision".
 struct SplitTests {
   SplitTests(const CostModel& model, const Aabb& cell, int axis);

@@ -96,11 +96,13 @@ class InnerLists {
   std::span<const std::uint32_t> operator[](std::size_t i) const {
     return {lists_[i] + head, *lists_[i]};
   }
-  /// Expected tests of a leaf in its place, less those of its children.
+  /// Expected tests of a leaf in its place, less those of its children as leaves (see SplitTests);
+  /// infinite where the rule knows no costs.
   float saving(std::size_t i) const { return std::bit_cast<float>(lists_[i][1]); }
 
-  /// Where room is made, which takes its time, before more are kept or appended.
+  /// Where room is made, which takes its time, before more are kept.
   Lists& lists() { return lists_; }
+  const Lists& lists() const { return lists_; }
 
   template <class Objects>
   void keep(const Objects& objects, float saving, InnerMeter& meter, InnerStore& store) {
@@ -114,7 +116,7 @@ class InnerLists {
     room_ -= head + count;
   }
 
-  /// Those of `part`, which becomes empty, lie behind these already.
+  /// Those of `part`, which becomes empty, have been put behind these.
   void take_over(InnerLists& part) {
     metered_ += part.metered_;
     part = {};

@@ -46,11 +46,13 @@ class Touched {
         tree_(cells.tree()),
         filter_(filter),
         needs_depth_(!takes_every_depth(filter, tree_)),
+        seen_(tree_.nodes.size(), false),
         mask_(tree_.nodes.size(), Shown::none) {}
 
   /// Whatever is no leaf is ignored.
   void touch(std::uint32_t node) {
-    if (node >= mask_.size() || mask_[node] != Shown::none || !tree_.nodes[node].is_leaf()) return;
+    if (node >= seen_.size() || seen_[node] || !tree_.nodes[node].is_leaf()) return;
+    seen_[node] = true;
     const int depth = needs_depth_ ? cells_.depth(node) : 0;
     if (passes(filter_, tree_.nodes[node], depth)) show(node);
   }
@@ -75,6 +77,7 @@ class Touched {
   const Tree& tree_;
   const LeafFilter& filter_;
   const bool needs_depth_;
+  std::vector<bool> seen_;  // by node: leaves that do not pass, too
   LeafMask mask_;
 };
 

@@ -30,7 +30,10 @@ std::vector<std::uint32_t> NodeCells::path(std::uint32_t node) const {
 }
 
 int NodeCells::depth(std::uint32_t node) const {
-  return static_cast<int>(path(node).size()) - 1;
+  BSPVIEW_CHECK(node < parents_.size());
+  int depth = 0;
+  for (; node != 0; node = parents_[node]) ++depth;
+  return depth;
 }
 
 Aabb NodeCells::cell(std::uint32_t node) const {

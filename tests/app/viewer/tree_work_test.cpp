@@ -197,8 +197,9 @@ TEST(TreeWork, WhatALargeTreeIsBuiltAnewForIsSketchedFirst) {
   EXPECT_EQ(published[1]->origin, Origin::build);
   EXPECT_EQ(published[1]->tree.nodes, build_scene_tree(scene->scene, {.empty_bonus = 0.3f})->nodes);
   EXPECT_EQ(want({.max_depth = 9, .empty_bonus = 0.3f}), 1u) << "a cut";
-  EXPECT_EQ(want({.cost_traversal = 0.5f, .empty_bonus = 0.3f}), 2u) << "of a larger tree";
-  EXPECT_EQ(want({.cost_traversal = 0.2f, .empty_bonus = 0.3f}), 1u) << "a cut of that";
+  EXPECT_EQ(want({.cost_traversal = 0.5f, .empty_bonus = 0.3f}), 1u) << "of a larger tree";
+  EXPECT_EQ(want({.max_depth = 60, .cost_traversal = 0.2f, .empty_bonus = 0.3f}), 1u)
+      << "a cut of that";
 }
 
 TEST(TreeWork, AStoppedSketchIsNotShown) {
@@ -208,7 +209,7 @@ TEST(TreeWork, AStoppedSketchIsNotShown) {
   std::stop_source stop;
   stop.request_stop();
   const auto publish = [](const auto&) { ADD_FAILURE(); };
-  EXPECT_FALSE(work({scene, {.cost_traversal = 0.5f}}, stop.get_token(), publish).ok());
+  EXPECT_FALSE(work({scene, {.empty_bonus = 0.3f}}, stop.get_token(), publish).ok());
 }
 
 TEST(TreeWork, SaysHowFarABuildIsAndNeverGoesBack) {
@@ -217,7 +218,7 @@ TEST(TreeWork, SaysHowFarABuildIsAndNeverGoesBack) {
   const auto build = [&] { return work(request, {}, [](const auto&) {}).ok(); };
   EXPECT_TRUE(build());
   EXPECT_EQ(work.progress(), 0.0);
-  request.params.cost_traversal = 0.5f;  // a sketch, then the tree
+  request.params.empty_bonus = 0.3f;  // a sketch, then the tree
   std::future<bool> built = std::async(std::launch::async, build);
   double last = 0.0;
   while (built.wait_for(std::chrono::milliseconds(1)) != std::future_status::ready) {
