@@ -36,7 +36,7 @@ bool is_family(const TreeRequest& a, const TreeRequest& b) {
   return a.scene == b.scene && same_planes(a.params, b.params);
 }
 
-bool is_same_but_planes(const TreeRequest& a, const TreeRequest& b) {
+bool same_scene_and_builder(const TreeRequest& a, const TreeRequest& b) {
   return a.scene == b.scene && a.params.builder == b.params.builder;
 }
 
@@ -83,7 +83,7 @@ class TreeWork::Grower {
     if (std::optional<Grown> part = cut_from_whole(request, stop)) return *std::move(part);
     is_untidy_ = true;
     const bool is_turned_at =
-        is_new ? before && is_same_but_planes(*before, request) : costs_move && !largest_fits_;
+        is_new ? before && same_scene_and_builder(*before, request) : costs_move && !largest_fits_;
     if (is_turned_at && is_worth_a_sketch(request)) sketch(request, stop, publish);
     return is_new ? grow_first(request, stop) : grow_next(request, costs_move, stop);
   }

@@ -142,8 +142,8 @@ bool has_costs(Builder builder) {
          builder != Builder::median_longest && builder != Builder::object_median;
 }
 
-double cost_ratio(const BuildParams& params, float measured) {
-  return has_costs(params.builder) ? cost_model(params, measured).least_saving() : 0.0;
+double cost_ratio(const BuildParams& params) {
+  return has_costs(params.builder) ? cost_model(params, 1.0f).least_saving() : 0.0;
 }
 
 bool same_planes(const BuildParams& a, const BuildParams& b) {

@@ -28,8 +28,8 @@ Result<MaximalTree> build_maximal_tree(const BuildInput& input, const BuildParam
 /// Whether costs stop the builder; otherwise they change nothing.
 bool has_costs(Builder builder);
 
-/// C_T / C_I of such a builder, where the objects have the C_I `measured`; others have 0.
-double cost_ratio(const BuildParams& params, float measured = 1.0f);
+/// C_T / C_I of such a builder, or C_T where C_I is not given; 0 for the others.
+double cost_ratio(const BuildParams& params);
 
 /// Whether build_tree would choose the same planes for both, as far as the limits let it.
 bool same_planes(const BuildParams& a, const BuildParams& b);

@@ -28,13 +28,17 @@ bool passes(const LeafFilter& filter, const Node& leaf, int depth) {
   return filter.min_depth <= depth && depth <= filter.max_depth;
 }
 
+/// A node is shown as a whole where both children are, and in part where one is in part.
+Shown shown_of(const Node& parent, const LeafMask& mask) {
+  const Shown left = mask[parent.left()], right = mask[parent.right()];
+  return left == right ? left : Shown::some;
+}
+
 /// Sets the entries of inner nodes from those of the leaves; parents come before their children.
 void fill_inner(const Tree& tree, LeafMask& mask) {
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     const Node& node = tree.nodes[i];
-    if (node.is_leaf()) continue;
-    const Shown left = mask[node.left()], right = mask[node.right()];
-    mask[i] = left == right ? left : Shown::some;
+    if (!node.is_leaf()) mask[i] = shown_of(node, mask);
   }
 }
 
@@ -60,14 +64,12 @@ class Touched {
   LeafMask take_mask() { return std::move(mask_); }
 
  private:
-  /// A node is shown as a whole once both children are, and in part as soon as one is in part.
+  /// And in the nodes above, as far as they change.
   void show(std::uint32_t node) {
     mask_[node] = Shown::all;
     while (node != 0) {
       node = cells_.parent(node);
-      const Node& parent = tree_.nodes[node];
-      const Shown left = mask_[parent.left()], right = mask_[parent.right()];
-      const Shown shown = left == right ? left : Shown::some;
+      const Shown shown = shown_of(tree_.nodes[node], mask_);
       if (mask_[node] == shown) return;
       mask_[node] = shown;
     }
